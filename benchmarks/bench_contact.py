@@ -24,8 +24,8 @@ from scipy.spatial.transform import Rotation
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 
-from chaplygin import lambdify
 from contact.situations import CASES, situation, start
+from flowlanes import lambdify
 from nonholonomic.contact import CompiledContact, FrictionalContact, contact_motion
 from nonholonomic.contact.equations.equations_of_motion import contact_equations
 from nonholonomic.contact.friction.modes import Mode

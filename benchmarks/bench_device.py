@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 import chaplygin as ch
+import flowlanes
 from chaplygin.experiment.models.experiment import catalogue_experiment
 from chaplygin.experiment.scan import chart_of
 from chaplygin.experiment.study import Study
@@ -33,8 +34,8 @@ DEVICES: tuple[Device, ...] = ("cpu", "gpu")
 def motions(name: str, energy: float, count: int) -> dict[Device, Callable[[], Any]]:
     """Functions that compute motions of a body over 10 s, by device."""
     body = ch.from_catalogue(name)
-    starts = many(ch.sample_level(body, 4096, {"energy": energy}, seed=1), count)
-    flows = {d: ch.batch_integrator(body, tolerance=TOLERANCE, device=d) for d in DEVICES}
+    starts = many(flowlanes.sample_level(body, 4096, {"energy": energy}, seed=1), count)
+    flows = {d: flowlanes.batch_integrator(body, tolerance=TOLERANCE, device=d) for d in DEVICES}
     return {
         device: lambda flow=flow: flow.propagate(starts, [UNTIL]) for device, flow in flows.items()
     }
@@ -43,10 +44,11 @@ def motions(name: str, energy: float, count: int) -> dict[Device, Callable[[], A
 def section(count: int) -> dict[Device, Callable[[], Any]]:
     """Functions for ten section points of each motion of the unbalanced ball, by device."""
     body = ch.from_catalogue("unbalanced-ball")
-    starts = many(ch.sample_level(body, 4096, {"energy": 2.0}, seed=1), count)
-    cut = ch.poincare_section(body, "gamma_3")
+    starts = many(flowlanes.sample_level(body, 4096, {"energy": 2.0}, seed=1), count)
+    cut = flowlanes.poincare_section(body, "gamma_3")
     flows = {
-        d: ch.batch_integrator(body, tolerance=TOLERANCE, section=cut, device=d) for d in DEVICES
+        d: flowlanes.batch_integrator(body, tolerance=TOLERANCE, section=cut, device=d)
+        for d in DEVICES
     }
     return {
         device: lambda flow=flow: flow.crossings(starts, 10, t_end=100.0)

@@ -14,6 +14,7 @@ import json
 import numpy as np
 
 import chaplygin
+import nonholonomic
 from chaplygin.report.summary import drift
 from flowlanes.flow import taylor_run as trajectory
 
@@ -23,7 +24,7 @@ EARLY = {"chaplygin-ball": 200.0, "unbalanced-ball": 200.0, "heavy-disk": 50.0, 
 
 
 def measure(name: str, until: float) -> list[dict[str, object]]:
-    entry = chaplygin.CATALOGUE[name]
+    entry = nonholonomic.CATALOGUE[name]
     system = entry.system()
     start = chaplygin.initial_state(system, entry.start.omega, entry.start.gamma)
     early = [0.0, EARLY[name]]

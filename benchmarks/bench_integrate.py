@@ -17,7 +17,9 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import chaplygin
-from chaplygin import System, initial_state, lambdify
+import nonholonomic
+from chaplygin import System, initial_state
+from flowlanes import lambdify
 
 CASES = {"chaplygin-ball": 50.0, "unbalanced-ball": 50.0, "rattleback": 2.0}
 TARGETS = (1e-6, 1e-9, 1e-12)
@@ -28,8 +30,8 @@ Method = Callable[[float], np.ndarray]
 
 
 def reduced(name: str) -> tuple[System, list[float]]:
-    """System without its motion in space, and the start from the catalogue."""
-    entry = chaplygin.CATALOGUE[name]
+    """The system without its motion in space, and the catalogue's start."""
+    entry = nonholonomic.CATALOGUE[name]
     system = entry.system()
     start = initial_state(system, entry.start.omega, entry.start.gamma)
     core = replace(system, reconstruction=None, guards=())

@@ -25,7 +25,8 @@ import numpy as np
 import sympy as sp
 from kane_bicycle import kane_bicycle
 
-from chaplygin import System, equations_of_motion, from_sympy, lambdify, linear_stability
+from chaplygin import System, equations_of_motion, from_sympy, linear_stability
+from flowlanes import lambdify
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "examples"))
 import whipple_bicycle

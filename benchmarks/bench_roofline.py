@@ -19,7 +19,7 @@ from contest.bodies import BODIES, Body
 from contest.generated import operations
 from contest.peak import peak, per_step
 
-from chaplygin import batch_integrator, gauss_integrator, poincare_section
+from flowlanes import batch_integrator, gauss_integrator, poincare_section
 from flowlanes.flow.kernel.tableaux import explicit
 from flowlanes.flow.machine_code.arithmetic import Pair
 from flowlanes.flow.machine_code.ir_writer import IRWriter

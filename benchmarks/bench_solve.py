@@ -19,7 +19,9 @@ from typing import Any
 import numpy as np
 
 import chaplygin
-from chaplygin import Solution, System, initial_state, solve
+import nonholonomic
+from chaplygin import System, initial_state, solve
+from nonholonomic import Solution
 from nonholonomic.closed_form.rigorous import rigorous_motion
 
 #: Systems, with angular velocities at γ = (0, 0, 1).  Doubles represent these starts, and the
@@ -48,8 +50,8 @@ class Case:
 
     @classmethod
     def of(cls, name: str) -> Case:
-        """System of the catalogue, without its motion in space."""
-        system = chaplygin.CATALOGUE[name].system()
+        """A system of the catalogue, without its motion in space."""
+        system = nonholonomic.CATALOGUE[name].system()
         body = {p.symbol: BODY[str(p.symbol)] for p in system.parameters if str(p.symbol) in BODY}
         start = initial_state(system, CASES[name], (0.0, 0.0, 1.0), parameters=body)
         core = replace(system, reconstruction=None, observables=(), guards=())

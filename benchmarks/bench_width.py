@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 import chaplygin as ch
+import flowlanes
 from flowlanes.flow.machine_code import jit
 
 #: Instruction sets that are disabled, by their LLVM names.
@@ -28,8 +29,8 @@ def flow_with(system: ch.System, left_out: tuple[str, ...]) -> Any:
     whole, sets = jit.host, jit.instruction_sets(*left_out)
     jit.host = lambda: sets  # type: ignore[assignment]
     try:
-        # bypasses the cache of functions compiled for this processor
-        return ch.batch_integrator.__wrapped__(system, tolerance=1e-10), sets.width
+        # past the memory of what has been compiled for this processor
+        return flowlanes.batch_integrator.__wrapped__(system, tolerance=1e-10), sets.width
     finally:
         jit.host = whole
 
@@ -42,7 +43,7 @@ def main() -> None:
     as_json = parser.parse_args().json
     for name, energy in BODIES:
         system = ch.from_catalogue(name)
-        starts = ch.sample_level(system, MOTIONS, {"energy": energy}, seed=1)
+        starts = flowlanes.sample_level(system, MOTIONS, {"energy": energy}, seed=1)
         flows = {words: flow_with(system, left_out) for words, left_out in SETS.items()}
         times: dict[str, list[float]] = {words: [] for words in SETS}
         states = {}

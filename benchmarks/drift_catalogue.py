@@ -20,8 +20,9 @@ from typing import Any
 
 import numpy as np
 
-from chaplygin import CATALOGUE, RunError, Study, Trajectory, integrate
+from chaplygin import RunError, Study, Trajectory, integrate
 from chaplygin.experiment.models.experiment import catalogue_experiment
+from nonholonomic import CATALOGUE
 
 UNTIL = 1e5
 PIECE = 500.0

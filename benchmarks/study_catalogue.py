@@ -70,7 +70,7 @@ def main() -> None:
     options = parser.parse_args()
     names = options.systems
     if not names:
-        from chaplygin import CATALOGUE
+        from nonholonomic import CATALOGUE
 
         names = list(CATALOGUE)
     package = importlib.util.find_spec("chaplygin")

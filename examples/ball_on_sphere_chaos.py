@@ -23,17 +23,17 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import Integral, System, batch_integrator, lyapunov_spectrum
+from chaplygin import Integral, System, find_laws, lyapunov_spectrum
 from chaplygin.report.drawing.style import COMPONENTS, FAINT, INK, QUIET, SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
 from chaplygin.report.figures.scan import chart as draw_chart
+from flowlanes import batch_integrator
 from flowlanes.flow import Section, project_to_level
 from flowlanes.flow.ensembles import compute
 from flowlanes.formulas import Formulas
 from flowlanes.lyapunov import Spectrum, maximal_exponent, megno
 from flowlanes.scans import Scan, axis, scan, scan_grid
 from flowlanes.system import dot, to_components
-from lawproof.search import integrals, search_space
 from nonholonomic.catalogue.ball_on_sphere.ball_on_sphere_equations import (
     M,
     equations_on_sphere,
@@ -82,11 +82,10 @@ SHOWN = (-1.0, -0.7, -0.3, 0.3, 0.7, 1.0)
 
 def proven_integrals(condition: str, degree: int) -> list[str]:
     """Integrals polynomial in M and n up to a degree in each, at a condition on k; all proven."""
-    question = search_space(
+    found = find_laws(
         equations_on_sphere(), degree=degree, gamma_degree=degree, at=[condition] * bool(condition)
     )
-    findings = [(finding.formula, finding.proven) for finding in integrals(question)]
-    return [f"{formula} ({'proven' if proven else 'not proven'})" for formula, proven in findings]
+    return [f"{law.formula} ({'proven' if law.proven else 'not proven'})" for law in found]
 
 
 def starts(count: int) -> Any:

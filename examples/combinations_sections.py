@@ -17,8 +17,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import PoincareMap, from_catalogue, poincare_section, sample_level
+from chaplygin import PoincareMap, from_catalogue
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from flowlanes import poincare_section, sample_level
 from flowlanes.system.arrays import FloatArray
 
 NUMBERS = {"m": 0.8, "R": 1.0, "I_1": 1.0, "I_2": 1.6, "I_3": 2.3}

@@ -141,6 +141,7 @@ def multiplier_of(key: str) -> tuple[dict[str, Any], str]:
         ``"rubber"`` for every rubber ball on a sphere, or the key of a row.
     """
     import chaplygin as ch
+    import nonholonomic
     from nonholonomic.catalogue import entry
     from nonholonomic.mechanics.lagrangian.substituted_parameters import with_parameters
 
@@ -148,19 +149,19 @@ def multiplier_of(key: str) -> tuple[dict[str, Any], str]:
     if both is None:
         raise LookupError("the ball is given without a Rolling")
     if key == "rubber":
-        mechanism = ch.rolling_mechanism(replace(both, contact="rubber"))
+        mechanism = nonholonomic.rolling_mechanism(replace(both, contact="rubber"))
     else:
         family, mark = key.rsplit("-", 1)
         ball = (
             both if mark[0] == "1" else replace(both, body=replace(both.body, gyrostat=(0, 0, 0)))
         )
         ball = ball if mark[1] == "1" else replace(ball, field=ch.Forces())
-        mechanism = ch.rolling_mechanism(ball)
+        mechanism = nonholonomic.rolling_mechanism(ball)
         if family == "around":
             numbers = {p.symbol: _fraction(p.default) for p in mechanism.parameters}
             mechanism = with_parameters(mechanism, numbers)
     try:
-        form = ch.chaplygin_form(mechanism)
+        form = nonholonomic.chaplygin_form(mechanism)
     except ch.InputError as refused:
         return {"verdict": "undecided", "words": "no linear integral"}, str(refused)
     decisions = {ch.prove(system, law).decision for system, law in form.claims()}

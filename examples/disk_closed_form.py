@@ -18,9 +18,10 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import Body, Disk, Forces, RollingBody, Solution, initial_state
+from chaplygin import Body, Disk, Forces, RollingBody, initial_state
 from chaplygin.report import figures
 from chaplygin.report.drawing.style import COMPONENTS, INK, STYLE, WIDTH
+from nonholonomic import Solution
 from nonholonomic.closed_form import revolution_diagram
 from nonholonomic.closed_form.revolution import solve_rolling
 

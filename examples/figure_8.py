@@ -21,10 +21,11 @@ from typing import Any
 import numpy as np
 from scipy.spatial import KDTree
 
-from chaplygin import PoincareMap, poincare_section, sample_level as drawn
+from chaplygin import PoincareMap
 from chaplygin.experiment.poincare import coordinates_of
 from chaplygin.report.figures import save
 from chaplygin.report.figures.poincare import draw_section
+from flowlanes import poincare_section, sample_level as drawn
 from flowlanes.flow import project_to_level
 from flowlanes.flow.ensembles import compute
 from flowlanes.flow.sections.poincare_dataset import section_task

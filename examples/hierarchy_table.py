@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import argparse
 
-from chaplygin import CATALOGUE, classify
+from chaplygin import classify
 from lawproof.proof.fields.budget import EFFORT
+from nonholonomic import CATALOGUE
 from nonholonomic.catalogue import entry
 from nonholonomic.classification import Classification
 

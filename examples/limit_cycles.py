@@ -21,8 +21,9 @@ import numpy as np
 import sympy as sp
 from matplotlib.figure import Figure
 
-from chaplygin import PoincareMap, from_catalogue, poincare_section, rotation_number
+from chaplygin import PoincareMap, from_catalogue
 from chaplygin.report.drawing.style import INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes import poincare_section, rotation_number
 from flowlanes.orbits import (
     Branch,
     Circle,

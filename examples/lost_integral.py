@@ -9,7 +9,8 @@ import argparse
 from collections.abc import Sequence
 
 from borisov_mamaev_2008.open_problems.lost_integral import cases
-from chaplygin import Identity, Integral, Rate, prove
+from chaplygin import Integral, prove
+from flowlanes import Identity, Rate
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

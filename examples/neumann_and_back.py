@@ -19,7 +19,8 @@ from typing import Any
 import numpy as np
 from flint import ctx
 
-from chaplygin import Isomorphism, System, from_catalogue, integrate
+from chaplygin import System, from_catalogue, integrate
+from flowlanes import Isomorphism
 from flowlanes.formulas import ball, ball_values
 from flowlanes.formulas.balls import number
 from flowlanes.system import to_components

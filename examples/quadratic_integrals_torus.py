@@ -28,9 +28,10 @@ from flint import arb, arb_series, ctx
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from chaplygin import System, batch_integrator
+from chaplygin import System
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
 from chaplygin.report.figures import save
+from flowlanes import batch_integrator
 from nonholonomic.catalogue.so_n.invariant_tori import torus_system
 
 #: φ_1 goes around four times while φ_2 goes around three times and φ_3 twice.

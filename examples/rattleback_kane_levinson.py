@@ -41,9 +41,10 @@ import sympy as sp
 from scipy.optimize import brentq, minimize_scalar
 
 import chaplygin
-from chaplygin import Forces, Parameter, RollingBody, System, equations_of_motion, rolling_mechanism
+from chaplygin import Forces, Parameter, RollingBody, System, equations_of_motion
 from flowlanes.system import dot, real_symbol, to_components
 from flowlanes.system.vectors import vectors
+from nonholonomic import rolling_mechanism
 
 omega, gamma = vectors("omega gamma")
 sigma = real_symbol("sigma")

@@ -36,10 +36,8 @@ from sympy.physics.mechanics import (
 
 from chaplygin import (
     Frame,
-    Identity,
     Mechanism,
     Parameter,
-    Rate,
     System,
     Trajectory,
     Verdict,
@@ -47,11 +45,12 @@ from chaplygin import (
     from_sympy,
     integrate,
     linear_stability,
-    nonholonomy,
     prove,
 )
 from chaplygin.report.drawing.style import QUIET, SERIES, STYLE, WIDTH
+from flowlanes import Identity, Rate
 from flowlanes.system import Guard, real_symbol
+from nonholonomic import nonholonomy
 
 DEFAULTS = {"m": 1.0, "r": 0.3, "g": 9.81}
 m, r, g = (real_symbol(name) for name in DEFAULTS)

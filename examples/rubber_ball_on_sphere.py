@@ -20,8 +20,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.figure import Figure
 
-from chaplygin import PoincareMap, lyapunov_spectrum, poincare_section
+from chaplygin import PoincareMap, lyapunov_spectrum
 from chaplygin.report.drawing.style import SERIES, STYLE, WIDTH
+from flowlanes import poincare_section
 from flowlanes.formulas import Formulas
 from flowlanes.lyapunov.averages import Average
 from flowlanes.orbits import NoOrbitError, Orbit, ReturnMap, find_periodic

@@ -23,20 +23,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chaplygin import (
-    Body,
-    Ellipsoid,
-    Forces,
-    RollingBody,
-    RunError,
-    System,
-    batch_integrator,
-    lyapunov_spectrum,
-    poincare_section,
-    reversing_symmetries,
-    sample_level,
-)
+from chaplygin import Body, Ellipsoid, Forces, RollingBody, RunError, System, lyapunov_spectrum
 from chaplygin.report.drawing.style import FAINT, INK, QUIET, SERIES, STYLE, WIDTH
+from flowlanes import batch_integrator, poincare_section, reversing_symmetries, sample_level
 from flowlanes.flow import project_to_level
 from flowlanes.formulas import Formulas
 from flowlanes.lyapunov import Spectrum

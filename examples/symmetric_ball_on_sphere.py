@@ -17,9 +17,10 @@ from itertools import combinations
 import sympy as sp
 
 import chaplygin as ch
+import flowlanes
 
 
-def integrals(n: int, r: int, slip: sp.Expr = sp.S.Zero) -> tuple[ch.System, ch.Identity]:
+def integrals(n: int, r: int, slip: sp.Expr = sp.S.Zero) -> tuple[ch.System, flowlanes.Identity]:
     """The ball of n dimensions, and the law that the logarithmic rates of the integrals vanish.
 
     Parameters
@@ -47,9 +48,9 @@ def integrals(n: int, r: int, slip: sp.Expr = sp.S.Zero) -> tuple[ch.System, ch.
             phi = (first[which] + m * R**2) * sum(gamma[k] ** 2 for k in own)
             phi += (first[1] + m * R**2) * sum(gamma[k] ** 2 for k in other)
             entry = p[i] * gamma[j] - p[j] * gamma[i]
-            rates.append(phi * ch.Rate(entry) + power * ch.Rate(phi) * entry)
+            rates.append(phi * flowlanes.Rate(entry) + power * flowlanes.Rate(phi) * entry)
     meaning = "linear integrals of an operator of inertia with the symmetry SO(r)×SO(n − r)"
-    return system, ch.Identity("linear", tuple(rates), meaning, level=on)
+    return system, flowlanes.Identity("linear", tuple(rates), meaning, level=on)
 
 
 def main() -> None:

@@ -18,7 +18,7 @@ from sympy.physics.mechanics import (
     inertia,
 )
 
-from chaplygin import mechanism_from_sympy
+from nonholonomic import mechanism_from_sympy
 
 x, y, phi = dynamicsymbols("x y phi")
 m, I, a = symbols("m I a", positive=True)

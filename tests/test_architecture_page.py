@@ -2,19 +2,32 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import pytest
 
+import chaplygin
+import chaplygin.experiment
+import flowlanes
+import lawproof
+import nonholonomic
 from workspace import HOMES, ORDER, ROOT, folded, imports, modules
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 NAMED = modules(HOMES)
 GRAPH = imports(HOMES)
+#: The packages whose names `chaplygin` has a part of.
+PUBLIC: dict[str, ModuleType] = {
+    "flowlanes": flowlanes,
+    "lawproof": lawproof,
+    "nonholonomic": nonholonomic,
+}
 
 
 def arrows(picture: str) -> dict[str, set[str]]:
@@ -75,6 +88,50 @@ def test_every_room_has_a_line() -> None:
         *ORDER,
         *ROOMS,
     }
+
+
+def table(heading: str) -> dict[str, list[str]]:
+    """The names in each row of the table with a heading."""
+    _, _, after = PAGE.partition(f"| {heading} |\n|---|---|\n")
+    rows = [line.strip("| ").split(" | ") for line in after.partition("\n\n")[0].splitlines()]
+    return {label.strip("`"): re.findall(r"`(\w+)`", names) for label, names in rows}
+
+
+def test_the_names_of_everyday_work_are_those_of_the_page() -> None:
+    listed = [name for names in table("for | in `chaplygin`").values() for name in names]
+    assert listed == chaplygin.__all__
+    assert len(listed) <= 42
+    for name in listed:
+        assert any(
+            getattr(package, name, None) is getattr(chaplygin, name)
+            for package in (*PUBLIC.values(), chaplygin.experiment)
+        ), name
+
+
+def test_every_other_name_of_a_package_is_on_the_page() -> None:
+    listed = table("package | has besides")
+    assert list(listed) == list(PUBLIC)
+    for package, names in listed.items():
+        rest = [
+            name
+            for name in set(PUBLIC[package].__all__) - {*chaplygin.__all__, "__version__"}
+            if not inspect.ismodule(getattr(PUBLIC[package], name))
+        ]
+        assert names == sorted(rest, key=str.lower), package
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("nonholonomy", r"it is nonholonomic\.nonholonomy"),
+        ("scans", r"it is flowlanes\.scans"),
+        ("cli", r"write: import chaplygin\.cli"),
+        ("nonholonom", r"has no attribute 'nonholonom'$"),
+    ],
+)
+def test_a_name_from_elsewhere_is_refused_with_its_place(name: str, words: str) -> None:
+    with pytest.raises(AttributeError, match=words):
+        chaplygin.__getattr__(name)
 
 
 def test_every_file_that_is_named_is_there() -> None:

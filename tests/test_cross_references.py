@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+import chaplygin
 from nonholonomic.system_files.open_kinds import GROUP
 from workspace import HOMES, ORDER, modules
 
@@ -22,6 +23,8 @@ PAGES = [
 #: ``flowlanes.flow.trajectory``, but not ``chaplygin.toml`` or an address on the web.
 _PACKAGES = "|".join(ORDER)
 DOTTED = re.compile(rf"(?<![\w./-])(?:{'|'.join(ORDER)})(?:\.[A-Za-z_]\w*)+(?![\w/]|\.\w)")
+#: ``ch.integrate``, as after ``import chaplygin as ch``.
+SHORT = re.compile(r"(?<![\w.])ch\.([A-Za-z_]\w*)")
 SUFFIXES = {
     "cff",
     "csv",
@@ -72,6 +75,9 @@ def exists(dotted: str) -> bool:
 
 def lost_names(text: str) -> Iterator[str]:
     """Dotted names in a page that nothing has; a group of entry points is no name."""
+    for name in sorted(set(SHORT.findall(text))):
+        if not hasattr(chaplygin, name):
+            yield f"ch.{name}"
     for name in sorted(set(DOTTED.findall(text))):
         if name.rpartition(".")[2] not in SUFFIXES and name != GROUP and not exists(name):
             yield name
@@ -124,3 +130,4 @@ def test_names_in_docstrings() -> None:
 def test_a_lost_name_is_reported() -> None:
     text = "`flowlanes.flow.trajectory.Trajectory` is kept, `flowlanes.flow.course.Course` is not"
     assert list(lost_names(text)) == ["flowlanes.flow.course.Course"]
+    assert list(lost_names("`ch.prove` and `ch.sample_level`")) == ["ch.sample_level"]

@@ -12,18 +12,24 @@ from typing import Any
 import pytest
 
 import chaplygin
+import chaplygin.experiment
+import chaplygin.report
+import chaplygin.server
 import flowlanes
 import lawproof
 import nonholonomic
 import nonholonomic.catalogue
 from workspace import HOMES, ORDER, modules
 
-NAMES = sorted(
-    name
-    for name in set(chaplygin.__all__) - {"__version__"}
-    if not inspect.ismodule(getattr(chaplygin, name))
-)
-FUNCTIONS = [name for name in NAMES if inspect.isroutine(inspect.unwrap(getattr(chaplygin, name)))]
+#: The public names of the packages.
+PUBLIC = {
+    name: getattr(package, name)
+    for package in (flowlanes, lawproof, nonholonomic, chaplygin)
+    for name in package.__all__
+    if name != "__version__" and not inspect.ismodule(getattr(package, name))
+}
+NAMES = sorted(PUBLIC)
+FUNCTIONS = [name for name in NAMES if inspect.isroutine(inspect.unwrap(PUBLIC[name]))]
 #: An example begins with the import of a package.
 STARTS = {f"import {name}\n" for name in (*ORDER, "chaplygin as ch", "sympy as sp")}
 OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
@@ -34,7 +40,7 @@ def documented(name: str) -> Any:
 
     The dictionary of the catalogue has none of its own; its folder stands for it.
     """
-    thing = getattr(chaplygin, name)
+    thing = PUBLIC[name]
     if callable(thing):
         return inspect.unwrap(thing)
     return nonholonomic.catalogue
@@ -126,6 +132,9 @@ OFFERED = {
         **names_below(lawproof, {"lawproof"}),
         **names_below(nonholonomic, {"nonholonomic"}),
         **names_below(chaplygin, {"chaplygin"}),
+        **names_below(chaplygin.experiment, {"chaplygin.experiment"}),
+        **names_below(chaplygin.report, {"chaplygin.report"}),
+        **names_below(chaplygin.server, {"chaplygin.server"}),
     }.items()
     if callable(value)
 }

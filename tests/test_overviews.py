@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
+import flowlanes
+import nonholonomic
 from flowlanes.flow.ensembles.run import ensemble_task
 from flowlanes.system.overview import Overview
 from nonholonomic.closed_form import bifurcation_diagram
@@ -50,7 +52,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         lambda: next(law for law in ball()[0].laws if law.name == "bracket"),
         "PoissonStructure(name='bracket', source=",
     ),
-    "catalogue": (lambda: ch.CATALOGUE, f"{len(ch.CATALOGUE)} systems"),
+    "catalogue": (lambda: nonholonomic.CATALOGUE, f"{len(nonholonomic.CATALOGUE)} systems"),
     "bifurcation diagram": (
         lambda: bifurcation_diagram("veselova"),
         "Bifurcation diagram of veselova in the plane of h and F",
@@ -60,7 +62,7 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "Task(work=EnsembleWork(",
     ),
     "motions of a batch": (
-        lambda: ch.batch_integrator(ball()[0]).propagate([ball()[1][:6]] * 50, [1.0, 2.0]),
+        lambda: flowlanes.batch_integrator(ball()[0]).propagate([ball()[1][:6]] * 50, [1.0, 2.0]),
         "BatchTrajectories(states=array(50, 2, 6), deviations=None, outcome=array(50,), "
         "end_times=array(50,), steps=array(50,))",
     ),
@@ -78,11 +80,11 @@ SHOWN: Mapping[str, tuple[Callable[[], Any], str]] = {
         "Veselova system",
     ),
     "nonholonomy": (
-        lambda: ch.nonholonomy(ch.rolling_mechanism(rolling())),
+        lambda: nonholonomic.nonholonomy(nonholonomic.rolling_mechanism(rolling())),
         "3 constraints on 6 velocities leave 3; ",
     ),
     "batch integrator": (
-        lambda: ch.batch_integrator(ball()[0]),
+        lambda: flowlanes.batch_integrator(ball()[0]),
         "BatchIntegrator(system=<System chaplygin-ball: M, gamma; 5 parameters, 9 laws>, "
         "tolerance=1e-13, deviations=0, section=None, backward=False, precision='double')",
     ),

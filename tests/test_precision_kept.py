@@ -12,9 +12,11 @@ import mpmath
 import pytest
 
 from borisov_mamaev_2008.obstructions.limit_cycle import displacement
-from chaplygin import invariant_measure, nonholonomy, prove_all, solve
+from chaplygin import invariant_measure, solve
 from flowlanes.system.vectors import real_symbol
+from lawproof import prove_all
 from lawproof.search import integrals, search_space
+from nonholonomic import nonholonomy
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.lagrangian.mechanism import Mechanism, coordinates
 from nonholonomic.mechanics.lagrangian.poincare_suslov import equations_of_motion

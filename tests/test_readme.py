@@ -32,6 +32,12 @@ def test_the_python_lines_run(
     assert (tmp_path / "stone.nc").exists()
 
 
+@pytest.mark.slow
+def test_the_laws_found_are_those_shown(capsys: pytest.CaptureFixture[str]) -> None:
+    exec(compile(block("python", "find_laws"), "README.md", "exec"), {})
+    assert capsys.readouterr().out == block("text", "repeats")
+
+
 def test_first_lines() -> None:
     first = re.search(r"```sh\n(.*?)```", README, re.DOTALL)
     assert first is not None
@@ -82,7 +88,7 @@ def test_the_shell_lines_run(
 
 def test_many_motions_are_computed() -> None:
     names: dict[str, Any] = {}
-    exec(compile(block("python", "ch.sample_level"), "README.md", "exec"), names)
+    exec(compile(block("python", "flowlanes.sample_level"), "README.md", "exec"), names)
     assert names["there"].shape == (1000, 1, 6)
     assert dict(names["runs"].sizes) == {"run": 1000, "time": 2, "axis": 3}
     assert not names["exact"].outcome.any()

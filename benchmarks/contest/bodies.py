@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 import chaplygin
+import nonholonomic
 from chaplygin import Forces, System
 from flowlanes.flow.initial_states import flat_starts
 from flowlanes.flow.machine_code import code_cache as cache
@@ -187,7 +188,7 @@ def _reduced(system: System) -> System:
 
 
 def _bodies() -> dict[str, Body]:
-    catalogue = chaplygin.CATALOGUE
+    catalogue = nonholonomic.CATALOGUE
     ball, ellipsoid = catalogue["chaplygin-ball"].system(), catalogue["marble-body"].system()
     rolling = unbalanced_ball.build(dict(catalogue["unbalanced-ball"].defaults))
     heavy = replace(rolling, field=Forces(GRAVITY)).system("heavy-unbalanced-ball")

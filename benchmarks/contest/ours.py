@@ -5,7 +5,7 @@ from __future__ import annotations
 import heyoka as hy
 import numpy as np
 
-from chaplygin import batch_integrator, gauss_integrator, poincare_section
+from flowlanes import batch_integrator, gauss_integrator, poincare_section
 
 from .bodies import Body
 from .programs import Program, Run

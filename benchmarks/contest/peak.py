@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from chaplygin import batch_integrator
+from flowlanes import batch_integrator
 from flowlanes.flow.kernel.tableaux import explicit
 
 from .bodies import Body

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from chaplygin import lambdify
+from flowlanes import lambdify
 from needs import needs
 
 pytestmark = needs("heyoka")

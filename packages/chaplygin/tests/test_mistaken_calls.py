@@ -19,9 +19,11 @@ import sympy as sp
 
 import borisov_mamaev_2008.audit
 import chaplygin as c
+import chaplygin.report
 import flowlanes
 import lawproof
 import nonholonomic
+from chaplygin.experiment import write_dataset
 from flowlanes.errors import InputError, RunError
 from flowlanes.system.vectors import real_symbol
 from nonholonomic.contact import ContensouErismann, FrictionalContact
@@ -42,12 +44,12 @@ S = c.from_catalogue("chaplygin-ball")
 B = c.Body(1.0, (1.0, 1.2, 1.5), c.Ball(1.0))
 X = c.initial_state(S, (1, 0, 0), (0, 0, 1))
 x, y, xd, yd = map(real_symbol, ["x", "y", "xdot", "ydot"])
-F = c.coordinates(x, y)
+F = nonholonomic.coordinates(x, y)
 M = c.Mechanism("knife", F, (xd**2 + yd**2) / 2, (yd - x * xd,))
 EXP = c.parse_experiment(BALL)
 T = c.integrate(S, X, [0, 1.0])
 DS = T.to_dataset()
-sec = c.poincare_section(S, "gamma_3", 0.0)
+sec = flowlanes.poincare_section(S, "gamma_3", 0.0)
 AXES = [flowlanes.scans.Axis(name, 1.0, 2.0, 3) for name in ("I_1", "I_2")]
 GRID = flowlanes.scans.scan_grid(S, *AXES, {"M": (1, 0, 0), "gamma": (0, 0, 1)})
 RETURNS = flowlanes.orbits.ReturnMap(c.PoincareMap(S, sec))
@@ -66,12 +68,20 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.Ellipsoid((1, 2, 3), v), "north"),
     (lambda v: c.Torus(1.0, v), None),
     (lambda v: c.Torus({}, v), 1),
-    (c.Revolution, "1 + gamma_3**2", None),
-    (lambda v: c.Revolution(sp.Symbol("gamma_3", real=True), v), 3),
-    (lambda v: c.Revolution(sp.Symbol("a") + sp.Symbol("gamma_3", real=True) ** 2, v), {"a": "x"}),
-    (lambda v: c.Revolution.from_profile(None, v), None),
-    (lambda v: c.Revolution.from_profile(sp.Integer(1), sp.Symbol("gamma_3", real=True), v), "a=1"),
-    (c.Implicit, "x**2+y**2+z**2-1", sp.Integer(3), [x]),
+    (c.ShapeOfRevolution, "1 + gamma_3**2", None),
+    (lambda v: c.ShapeOfRevolution(sp.Symbol("gamma_3", real=True), v), 3),
+    (
+        lambda v: c.ShapeOfRevolution(sp.Symbol("a") + sp.Symbol("gamma_3", real=True) ** 2, v),
+        {"a": "x"},
+    ),
+    (lambda v: c.ShapeOfRevolution.from_profile(None, v), None),
+    (
+        lambda v: c.ShapeOfRevolution.from_profile(
+            sp.Integer(1), sp.Symbol("gamma_3", real=True), v
+        ),
+        "a=1",
+    ),
+    (c.ImplicitShape, "x**2+y**2+z**2-1", sp.Integer(3), [x]),
     (c.Sphere, "2", 0, -2.0, None),
     (lambda v: c.Body(1.0, (1, 1, 1), v), "ball", c.Ball),
     (lambda v: c.Body(v, (1, 1, 1), c.Ball(1.0)), "1", None),
@@ -88,9 +98,9 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.rolling_system(B, name=v), 3),
     (lambda v: c.rolling_system(c.Plane(), v), B),
     (c.RollingBody, "ball"),
-    (lambda v: c.RollingBall(mass=1, inertia=0.4, radius=1, surface=v), "plane"),
-    (lambda v: c.RollingBall(mass="1", inertia=0.4, radius=1, surface=v), c.Plane()),
-    (c.rolling_mechanism, S, None),
+    (lambda v: nonholonomic.RollingBall(mass=1, inertia=0.4, radius=1, surface=v), "plane"),
+    (lambda v: nonholonomic.RollingBall(mass="1", inertia=0.4, radius=1, surface=v), c.Plane()),
+    (nonholonomic.rolling_mechanism, S, None),
     (c.from_catalogue, "chaplygin-bal", None, 3, S),
     (lambda v: c.from_catalogue("chaplygin-ball", I_1=v), "2", -2, None, [1, 2, 3], nan),
     (lambda v: c.from_catalogue("chaplygin-ball", J=v), 2),
@@ -126,29 +136,29 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.lyapunov_spectrum(S, [1, 2], t_end=v), 10),
     (lambda v: c.lyapunov_spectrum(S, X, v, t_end=10), {"q": 1}, [1, 2]),
     (lambda v: c.lyapunov_spectrum(S, X, t_end=10, tolerance=v), "x"),
-    (c.prove_all, "chaplygin-ball", None),
+    (lawproof.prove_all, "chaplygin-ball", None),
     (lambda v: S.with_laws(c.Integral("e", v)), sp.Symbol("q")),
     (lambda v: c.prove(S, v), "enrgy", 3),
     (lambda v: c.prove(S, "energy", effort=v), "much", -1),
     (c.invariant_measure, "chaplygin-ball", None, S),
     (c.classify, "chaplygin-ball", None),
     (lambda v: c.classify(S, v), "all"),
-    (c.reversing_symmetries, "chaplygin-ball", M),
-    (c.rotation_number, 3, np.ones(10), lambda n: None, lambda n: np.ones(3)),
-    (lambda v: c.rotation_number(lambda n: np.arange(n) * 0.1, tolerance=v), "x"),
+    (flowlanes.reversing_symmetries, "chaplygin-ball", M),
+    (flowlanes.rotation_number, 3, np.ones(10), lambda n: None, lambda n: np.ones(3)),
+    (lambda v: flowlanes.rotation_number(lambda n: np.arange(n) * 0.1, tolerance=v), "x"),
     (lambda v: c.linear_stability("x", v), X),
     (lambda v: c.linear_stability(S, v), [1]),
     (lambda v: c.linear_stability(S, X[:6], digits=v), "many"),
     (lambda v: c.linear_stability(S, X[:6], along=v), 3),
-    (c.batch_integrator, "S", []),
-    (lambda v: c.batch_integrator(S, deviations=v), "x"),
-    (lambda v: c.batch_integrator(S, tolerance=v), "x"),
-    (lambda v: c.batch_integrator(S, precision=v), "half"),
-    (lambda v: c.batch_integrator(S, section=v), "gamma_3"),
-    (lambda v: c.poincare_section(S, v), "delta", None),
-    (lambda v: c.poincare_section(S, "gamma_3", v), "0", nan, inf),
-    (lambda v: c.poincare_section(S, "gamma_3", 0, v), "rising", 5),
-    (lambda v: c.poincare_section("S", v), "gamma_3"),
+    (flowlanes.batch_integrator, "S", []),
+    (lambda v: flowlanes.batch_integrator(S, deviations=v), "x"),
+    (lambda v: flowlanes.batch_integrator(S, tolerance=v), "x"),
+    (lambda v: flowlanes.batch_integrator(S, precision=v), "half"),
+    (lambda v: flowlanes.batch_integrator(S, section=v), "gamma_3"),
+    (lambda v: flowlanes.poincare_section(S, v), "delta", None),
+    (lambda v: flowlanes.poincare_section(S, "gamma_3", v), "0", nan, inf),
+    (lambda v: flowlanes.poincare_section(S, "gamma_3", 0, v), "rising", 5),
+    (lambda v: flowlanes.poincare_section("S", v), "gamma_3"),
     (lambda v: c.PoincareMap(S, v), "gamma_3"),
     (lambda v: c.PoincareMap("S", v), sec),
     (lambda v: c.PoincareMap(S, sec, v), {"q": 1}, [1]),
@@ -164,20 +174,20 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.ensemble(S, [X[:6]], [0, 1], block=v), 0, "x"),
     (lambda v: c.ensemble(S, [X[:6]], [0, 1], store=v), 3),
     (lambda v: c.ensemble(S, [X[:6]], [0, 1], client=v), "here"),
-    (lambda v: c.sample_level("S", 3, v), {}),
-    (lambda v: c.sample_level(S, "3", v), {}),
-    (lambda v: c.sample_level(S, -3, v), {"energy": 1.0}),
-    (lambda v: c.sample_level(S, 3, v), {"enrgy": 1.0}, {"energy": "1"}, None, ["energy"]),
-    (lambda v: c.sample_level(S, 3, v), {"energy": -1.0}),
-    (lambda v: c.sample_level(S, 3, {"energy": 1.0}, seed=v), "x"),
+    (lambda v: flowlanes.sample_level("S", 3, v), {}),
+    (lambda v: flowlanes.sample_level(S, "3", v), {}),
+    (lambda v: flowlanes.sample_level(S, -3, v), {"energy": 1.0}),
+    (lambda v: flowlanes.sample_level(S, 3, v), {"enrgy": 1.0}, {"energy": "1"}, None, ["energy"]),
+    (lambda v: flowlanes.sample_level(S, 3, v), {"energy": -1.0}),
+    (lambda v: flowlanes.sample_level(S, 3, {"energy": 1.0}, seed=v), "x"),
     (lambda v: c.solve("S", v), X),
     (lambda v: c.solve(S, v), "x", None),
     (lambda v: c.solve(S, X).states(v), "x", [nan]),
     (lambda v: c.solve(S, X).rigorous(v), "x"),
     (lambda v: c.solve(S, X).rigorous(1, v), "x"),
-    (lambda v: c.gauss_integrator("S", v), X),
-    (lambda v: c.gauss_integrator(S, v), [1], [nan] * 6),
-    (lambda v: c.gauss_integrator(S, X, precision=v), "half"),
+    (lambda v: flowlanes.gauss_integrator("S", v), X),
+    (lambda v: flowlanes.gauss_integrator(S, v), [1], [nan] * 6),
+    (lambda v: flowlanes.gauss_integrator(S, X, precision=v), "half"),
     (c.load_experiment, None, 3, {"body": 1}),
     (lambda v: c.parse_experiment(BALL, overrides=v), "run.until=3", 3, [3], {"run.until": 3}),
     (c.parse_experiment, None, b"x", Path("x")),
@@ -185,15 +195,15 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (c.Study.from_experiment, "ball.toml", None, S),
     (lambda v: c.Study.from_experiment(EXP).trajectory(pieces=v), 0),
     (c.open_dataset, "none.nc", None, "bad.nc", "bad.zarr", "dir.nc"),
-    (lambda v: c.write_dataset(v, "a.nc"), None, T),
-    (lambda v: c.write_dataset(DS, v), "a.txt", "/none/a.nc", None, "dir.nc"),
+    (lambda v: write_dataset(v, "a.nc"), None, T),
+    (lambda v: write_dataset(DS, v), "a.txt", "/none/a.nc", None, "dir.nc"),
     (lambda v: T.to_dataset(v), "x"),
     (borisov_mamaev_2008.audit.audit, 99, "two"),
     (lambda v: borisov_mamaev_2008.audit.audit(2, workers=v), "x"),
-    (c.coordinates, 3, None),
-    (lambda _: c.coordinates(), None),
-    (lambda v: c.coordinates(x, v), x),
-    (lambda v: c.coordinates(x, dot=v), 3),
+    (nonholonomic.coordinates, 3, None),
+    (lambda _: nonholonomic.coordinates(), None),
+    (lambda v: nonholonomic.coordinates(x, v), x),
+    (lambda v: nonholonomic.coordinates(x, dot=v), 3),
     (lambda v: c.Frame((), v), ()),
     (lambda v: c.Frame(None, v), None),
     (lambda v: c.Frame("x", v), "y"),
@@ -213,11 +223,11 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (c.equations_of_motion, "x", S),
     (lambda v: c.Mechanism("a", F, xd**2 + yd**2, parameters=v), ("m",)),
     (lambda v: c.Mechanism(3, F, v), xd**2 + yd**2),
-    (c.nonholonomy, "x", S),
-    (c.chaplygin_form, "x"),
-    (lambda v: c.chaplygin_form(M, v), 3),
+    (nonholonomic.nonholonomy, "x", S),
+    (nonholonomic.chaplygin_form, "x"),
+    (lambda v: nonholonomic.chaplygin_form(M, v), 3),
     (c.from_sympy, "x", None),
-    (c.mechanism_from_sympy, 3),
+    (nonholonomic.mechanism_from_sympy, 3),
     (lambda v: c.Parameter(v, "mass", 1.0), "m", None),
     (lambda v: c.Parameter(sp.Symbol("m", real=True), "mass", v), "1"),
     (lambda v: c.System("a", "A", v), None, "x", {"x": "x"}, {x: sp.Symbol("q") * x}),
@@ -226,27 +236,27 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: c.System(None, "A", v), {x: x}),
     (S.with_laws, "energy"),
     (lambda v: c.source_code(S, v), "fortran", None),
-    (lambda v: c.lambdify(S, v), "torch"),
+    (lambda v: flowlanes.lambdify(S, v), "torch"),
     (S.required_definitions, "x"),
     (lambda v: c.Integral("e", v), "x", None),
     (lambda v: c.Integral(3, v), x),
     (lambda v: c.Measure("m", v), "1"),
     (lambda v: c.Symmetry("s", v), None, [x]),
-    (lambda v: c.Identity("i", v), None),
-    (c.Rate, "x"),
-    (lambda v: c.PoissonStructure("p", v), "x", sp.zeros(2, 3), 3, [[1, 2], [3]]),
-    (lambda v: c.ConformallyHamiltonian("h", 1, "x", v), 2),
-    (lambda v: c.Isomorphism("i", "chaplygin-ball", v), {}),
-    (lambda v: c.Reduction("r", "x", v), "y"),
-    (lambda v: c.Separation("r", None, v), None),
+    (lambda v: flowlanes.Identity("i", v), None),
+    (flowlanes.Rate, "x"),
+    (lambda v: flowlanes.PoissonStructure("p", v), "x", sp.zeros(2, 3), 3, [[1, 2], [3]]),
+    (lambda v: flowlanes.ConformallyHamiltonian("h", 1, "x", v), 2),
+    (lambda v: flowlanes.Isomorphism("i", "chaplygin-ball", v), {}),
+    (lambda v: flowlanes.Reduction("r", "x", v), "y"),
+    (lambda v: flowlanes.Separation("r", None, v), None),
     (T.subsample, "x", 0),
     (lambda v: c.from_catalogue("chaplygin-ball-nd", dimension=v), nan, inf, 3.5),
     (lambda v: c.solve(S, X)(v), "now", [nan]),
     (lambda v: figure_of_eight(nan, 1.0, v), 1.0),
     (lambda v: figure_of_eight(1.0, inf, v), 1.0),
     (lambda v: figure_of_eight(1.0, 1.0, v), nan, 0.0),
-    (lambda v: c.batch_integrator(S).propagate([X[:6]], [0, 1.0], v), 3),
-    (lambda v: c.batch_integrator(S).require_reach(X[:6], v), None),
+    (lambda v: flowlanes.batch_integrator(S).propagate([X[:6]], [0, 1.0], v), 3),
+    (lambda v: flowlanes.batch_integrator(S).require_reach(X[:6], v), None),
     (lambda v: c.PoincareMap(S, sec, tolerance=v), -1.0),
     (lambda v: c.PoincareMap(S, sec, t_end=v), nan),
     (lambda v: c.PoincareMap(S, sec)(v), "x"),
@@ -267,9 +277,9 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: flowlanes.flow.relative_equilibrium(S, X[:6], digits=v), "x"),
     (lambda v: flowlanes.formulas.ball_values([x], v), {}),
     (nonholonomic.closed_form.bifurcation_diagram, None),
-    (lambda v: c.report.figures.state(DS, v), 3),
-    (c.report.figures.drift, "x"),
-    (lambda v: c.report.figures.relative_drift(DS, v), "enrgy"),
+    (lambda v: chaplygin.report.figures.state(DS, v), 3),
+    (chaplygin.report.figures.drift, "x"),
+    (lambda v: chaplygin.report.figures.relative_drift(DS, v), "enrgy"),
     (lambda v: flowlanes.system.cross(3, v), 4),
     (flowlanes.system.to_components, None),
     (lambda v: flowlanes.system.Vector("a", v), None),
@@ -287,13 +297,13 @@ MISTAKES: tuple[tuple[Any, ...], ...] = (
     (lambda v: flowlanes.orbits.multipliers(RETURNS, v, np.eye(6)), np.full(6, np.nan)),
     (lambda v: flowlanes.orbits.multipliers(RETURNS, np.array(X[:6]), v), np.eye(2)),
     (RETURNS.sizes, np.ones((2, 2)), np.ones((0, 6)), np.ones(6)),
-    (lambda _: c.CATALOGUE[None], None),
-    (lambda _: c.CATALOGUE[[]], None),
-    (lambda _: c.CATALOGUE["nonsense"], None),
+    (lambda _: nonholonomic.CATALOGUE[None], None),
+    (lambda _: nonholonomic.CATALOGUE[[]], None),
+    (lambda _: nonholonomic.CATALOGUE["nonsense"], None),
     (lambda v: c.PoincareMap(S, sec).derivative(v), 3),
     (lambda v: GRID.cells(v, 2), nan, 3),
     (lambda v: GRID.cells(3, v), 4),
-    (c.report.figures.svg_file, None),
+    (chaplygin.report.figures.svg_file, None),
     (
         lambda v: FrictionalContact(c.Body(1.0, (0.3, 0.3, 0.5), c.Disk(1.0)), laws=v),
         (ContensouErismann(0.3, 1.1),),
@@ -340,7 +350,8 @@ def _public_functions() -> Iterator[tuple[str, Callable[..., Any]]]:
     found = [m for p in packages for m in pkgutil.walk_packages(p.__path__, f"{p.__name__}.")]
     # the command line and the checker of certificates refuse in ways of their own
     apart = re.compile(r"\.cli\b")
-    for module in ("chaplygin", *(m.name for m in found if m.ispkg and not apart.search(m.name))):
+    folders = (m.name for m in found if m.ispkg and not apart.search(m.name))
+    for module in (*(p.__name__ for p in packages), *folders):
         space = import_module(module)
         for name in getattr(space, "__all__", ()):
             thing = getattr(space, name)
@@ -392,7 +403,7 @@ def test_members_are_refused_by_the_function_that_was_called() -> None:
 
 def test_an_unknown_system_is_a_missing_key_too() -> None:
     with pytest.raises(KeyError) as refused:
-        c.CATALOGUE["chaplygin-bal"]
+        nonholonomic.CATALOGUE["chaplygin-bal"]
     assert "did you mean 'chaplygin-ball'?" in str(refused.value)
-    assert c.CATALOGUE.get("nonsense") is None
-    assert "nonsense" not in c.CATALOGUE
+    assert nonholonomic.CATALOGUE.get("nonsense") is None
+    assert "nonsense" not in nonholonomic.CATALOGUE

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
+import nonholonomic
 from flowlanes.flow import Motion
 from nonholonomic.contact import Coulomb, FrictionalContact, contact_motion
 from nonholonomic.control import (
@@ -28,7 +29,7 @@ def _integrated(**options: object) -> Motion:
 
 
 def _closed() -> Motion:
-    disk = ch.CATALOGUE["rubber-disk"]
+    disk = nonholonomic.CATALOGUE["rubber-disk"]
     return ch.solve(ch.from_catalogue("rubber-disk"), disk.start.values)(TIMES)
 
 
@@ -69,7 +70,7 @@ def _planned() -> Motion:
 
 def _mechanism() -> Motion:
     sleigh = ch.from_catalogue("chaplygin-sleigh")
-    return ch.integrate(sleigh, ch.CATALOGUE["chaplygin-sleigh"].start.values, TIMES)
+    return ch.integrate(sleigh, nonholonomic.CATALOGUE["chaplygin-sleigh"].start.values, TIMES)
 
 
 #: How to compute a motion of each kind, and a quantity that it has.

@@ -9,12 +9,12 @@ import sympy as sp
 from flowlanes.system.system import System
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
-x, y, z = Implicit.coordinates
+x, y, z = ImplicitShape.coordinates
 gamma_1, gamma_3 = sp.Symbol("gamma_1", real=True), sp.Symbol("gamma_3", real=True)
 
 SHAPES = {
@@ -25,8 +25,8 @@ SHAPES = {
     "rattleback": Ellipsoid((1.0, 0.9, 0.8), turn=0.3, centre=(0.0, 0.0, 0.1)),
     "disk": Disk(1.0),
     "torus": Torus(1.0, 0.2),
-    "revolution": Revolution(sp.sqrt(1 + gamma_3**2)),
-    "implicit": Implicit(x**4 + y**4 + z**4 - 1, centre=(0.1, 0.0, 0.0)),
+    "revolution": ShapeOfRevolution(sp.sqrt(1 + gamma_3**2)),
+    "implicit": ImplicitShape(x**4 + y**4 + z**4 - 1, centre=(0.1, 0.0, 0.0)),
 }
 SURFACES = {"plane": Plane(), "sphere": Sphere(5.0)}
 CONTACTS = ("marble", "rubber")

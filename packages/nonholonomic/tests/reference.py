@@ -152,7 +152,7 @@ def at_origin(gamma: Array) -> Array:
 
 
 @dataclass(frozen=True)
-class Implicit:
+class ImplicitShape:
     """Body bounded by ``f(s) = 0``, with ``f < 0`` inside.
 
     Attributes
@@ -241,10 +241,10 @@ class Implicit:
         raise ValueError(f"no contact point found for the normal {target}: is the shape convex?")
 
 
-def ball(radius: float, centre: Vector = (0.0, 0.0, 0.0), hollow: bool = False) -> Implicit:
+def ball(radius: float, centre: Vector = (0.0, 0.0, 0.0), hollow: bool = False) -> ImplicitShape:
     """Ball, or hollow ball that rolls with its inner side, as the surface ``s.s = radius**2``."""
     second = 2.0 * IDENTITY
-    return Implicit(
+    return ImplicitShape(
         f=lambda s: float(s @ s) - radius * radius,
         grad=lambda s: 2.0 * s,
         hess=lambda s: second,
@@ -253,12 +253,12 @@ def ball(radius: float, centre: Vector = (0.0, 0.0, 0.0), hollow: bool = False) 
     )
 
 
-def ellipsoid(axes: Vector, turn: float = 0.0, centre: Vector = (0.0, 0.0, 0.0)) -> Implicit:
+def ellipsoid(axes: Vector, turn: float = 0.0, centre: Vector = (0.0, 0.0, 0.0)) -> ImplicitShape:
     """Ellipsoid with given semi-axes; first along (cos turn, sin turn, 0), third along e3."""
     c, s = np.cos(turn), np.sin(turn)
     frame = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
     form = frame.T @ np.diag(1.0 / np.asarray(axes, dtype=float) ** 2) @ frame
-    return Implicit(
+    return ImplicitShape(
         f=lambda s: float(s @ form @ s) - 1.0,
         grad=lambda s: 2.0 * (form @ s),
         hess=lambda s: 2.0 * form,
@@ -266,7 +266,7 @@ def ellipsoid(axes: Vector, turn: float = 0.0, centre: Vector = (0.0, 0.0, 0.0))
     )
 
 
-def torus(radius: float, tube: float, centre: Vector = (0.0, 0.0, 0.0)) -> Implicit:
+def torus(radius: float, tube: float, centre: Vector = (0.0, 0.0, 0.0)) -> ImplicitShape:
     """Torus ``(sqrt(x**2 + y**2) - radius)**2 + z**2 = tube**2``, touching with its outer part.
 
     `radius` is that of the circle of centres of the tube, whose axis is e3; `tube` that of the
@@ -298,7 +298,7 @@ def torus(radius: float, tube: float, centre: Vector = (0.0, 0.0, 0.0)) -> Impli
         flat = np.array([gamma[0], gamma[1], 0.0])
         return -radius * flat / np.linalg.norm(flat)
 
-    return Implicit(f, grad, hess, centre, core=core)
+    return ImplicitShape(f, grad, hess, centre, core=core)
 
 
 @dataclass(frozen=True)
@@ -333,7 +333,7 @@ class Disk:
 
 
 @dataclass(frozen=True)
-class Revolution:
+class ShapeOfRevolution:
     """Body of revolution ``s = (chi1 gamma1, chi1 gamma2, chi2)``, functions of gamma3.
 
     Attributes
@@ -919,7 +919,7 @@ def _random_egg(rng: np.random.Generator, centre: Array) -> tuple[Shape, dict[st
     # s = p u + p' (e3 - x u) with u = -gamma, written out in powers of g3.
     chi1 = [-p0, 0.0, p2, -2.0 * p3]
     chi2 = [0.0, -p0 - 2.0 * p2, 3.0 * p3, p2, -2.0 * p3]
-    shape = Revolution(
+    shape = ShapeOfRevolution(
         _polynomial(chi1),
         _polynomial(chi2),
         _polynomial(_derivative(chi1)),
@@ -978,7 +978,7 @@ def _random_quartic(
         out[DIAGONAL] = 2.0 * b + 12.0 * c * s * s
         return out
 
-    shape = Implicit(f, grad, hess, centre)
+    shape = ImplicitShape(f, grad, hess, centre)
     terms = [
         f"({b2!r})*{name}**2 + ({b4!r})*{name}**4"
         for name, b2, b4 in zip("xyz", b.tolist(), c.tolist(), strict=True)

@@ -10,9 +10,9 @@ from reference import (
     Body,
     Disk,
     Forces,
-    Implicit,
+    ImplicitShape,
     Plane,
-    Revolution,
+    ShapeOfRevolution,
     Sphere,
     acceleration,
     attitude_with_normal,
@@ -272,7 +272,7 @@ def spheroid(across, along, centre):
     def size(g3):
         return (a * (1 - g3**2) + c * g3**2) ** 0.5
 
-    return Revolution(
+    return ShapeOfRevolution(
         lambda g3: -a / size(g3),
         lambda g3: -c * g3 / size(g3),
         lambda g3: a * (c - a) * g3 / size(g3) ** 3,
@@ -288,7 +288,7 @@ TWINS = {
     "spheroid": (ellipsoid((1.0, 1.0, 0.8), 0.7, CENTRE), spheroid(1.0, 0.8, CENTRE)),
     "quadric": (
         ellipsoid((1.0, 1.5**-0.5, 2.0**-0.5), 0.0, CENTRE),
-        Implicit(
+        ImplicitShape(
             lambda s: float(np.exp(s @ QUADRIC @ s - 1) - 1),
             lambda s: 2 * np.exp(s @ QUADRIC @ s - 1) * (QUADRIC @ s),
             lambda s: (

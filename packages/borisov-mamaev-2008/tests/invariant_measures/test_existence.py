@@ -39,7 +39,7 @@ from nonholonomic.mechanics.lagrangian.mechanism import (
 )
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.shapes.implicit import Implicit
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
@@ -209,8 +209,8 @@ class TestEllipsoid:
 
 @pytest.mark.slow
 def test_shape_given_by_an_equation():
-    x, y, z = Implicit.coordinates
-    shape = Implicit(x**2 + 2 * y**2 + 3 * z**2 + x**4 - 1)
+    x, y, z = ImplicitShape.coordinates
+    shape = ImplicitShape(x**2 + 2 * y**2 + 3 * z**2 + x**4 - 1)
     assert not invariant_measure(rolling(shape, contact="marble"))
     assert not invariant_measure(rolling(shape))
 
@@ -236,9 +236,9 @@ def test_density_by_quadrature():
 
 def test_density_by_following_the_contact():
     """An ellipsoid of equal moments by its equation: σ = −½ log(1 + h²)."""
-    x, y, z = Implicit.coordinates
+    x, y, z = ImplicitShape.coordinates
     centre = (0.1, 0.2, 0.05)
-    shape = Implicit(x**2 / 4 + y**2 + z**2 - 1, centre=centre)
+    shape = ImplicitShape(x**2 / 4 + y**2 + z**2 - 1, centre=centre)
     sigma = log_density_on_surface(one_form(rolling(shape, (1.0, 1.0, 1.0))))
 
     def stated(gamma):

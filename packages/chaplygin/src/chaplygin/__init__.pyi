@@ -2,26 +2,14 @@ from flowlanes.errors import (
     InputError as InputError,
     RunError as RunError,
 )
-from flowlanes.flow.batch import (
-    batch_integrator as batch_integrator,
-)
 from flowlanes.flow.ensembles.run import (
     ensemble as ensemble,
-)
-from flowlanes.flow.gauss import (
-    gauss_integrator as gauss_integrator,
 )
 from flowlanes.flow.integrator import (
     integrate as integrate,
 )
-from flowlanes.flow.kernel.equations import (
-    poincare_section as poincare_section,
-)
 from flowlanes.flow.linearisation.linear_stability import (
     linear_stability as linear_stability,
-)
-from flowlanes.flow.sampling.level_sampler import (
-    sample_level as sample_level,
 )
 from flowlanes.flow.sections.poincare_map import (
     PoincareMap as PoincareMap,
@@ -32,28 +20,12 @@ from flowlanes.flow.trajectory import (
 from flowlanes.lyapunov.spectrum import (
     lyapunov_spectrum as lyapunov_spectrum,
 )
-from flowlanes.orbits.reversor import (
-    reversing_symmetries as reversing_symmetries,
-)
-from flowlanes.orbits.rotation import (
-    rotation_number as rotation_number,
-)
 from flowlanes.printing.code import (
-    lambdify as lambdify,
     source_code as source_code,
 )
-from flowlanes.system.isomorphism import (
-    Isomorphism as Isomorphism,
-)
 from flowlanes.system.laws import (
-    ConformallyHamiltonian as ConformallyHamiltonian,
-    Identity as Identity,
     Integral as Integral,
     Measure as Measure,
-    PoissonStructure as PoissonStructure,
-    Rate as Rate,
-    Reduction as Reduction,
-    Separation as Separation,
     Symmetry as Symmetry,
 )
 from flowlanes.system.system import (
@@ -62,20 +34,18 @@ from flowlanes.system.system import (
 )
 from lawproof.proof.prover import (
     prove as prove,
-    prove_all as prove_all,
 )
 from lawproof.proof.verdict import (
     Verdict as Verdict,
 )
+from lawproof.search.finder import (
+    find_laws as find_laws,
+)
 from nonholonomic.catalogue import (
-    CATALOGUE as CATALOGUE,
     from_catalogue as from_catalogue,
 )
 from nonholonomic.classification.classifier import (
     classify as classify,
-)
-from nonholonomic.closed_form.base.solution import (
-    Solution as Solution,
 )
 from nonholonomic.closed_form.solver import (
     solve as solve,
@@ -83,42 +53,26 @@ from nonholonomic.closed_form.solver import (
 from nonholonomic.invariant_measures.existence import (
     invariant_measure as invariant_measure,
 )
-from nonholonomic.mechanics.ball.ball import (
-    RollingBall as RollingBall,
-)
-from nonholonomic.mechanics.constraints.integrability import (
-    nonholonomy as nonholonomy,
-)
 from nonholonomic.mechanics.lagrangian.mechanism import (
     Frame as Frame,
     Mechanism as Mechanism,
-    coordinates as coordinates,
 )
 from nonholonomic.mechanics.lagrangian.poincare_suslov import (
     equations_of_motion as equations_of_motion,
 )
-from nonholonomic.mechanics.reduction.chaplygin import (
-    chaplygin_form as chaplygin_form,
-)
 from nonholonomic.mechanics.rolling.body import (
     Body as Body,
-)
-from nonholonomic.mechanics.rolling.cavity import (
-    Cavity as Cavity,
 )
 from nonholonomic.mechanics.rolling.equations import (
     Forces as Forces,
     RollingBody as RollingBody,
     rolling_system as rolling_system,
 )
-from nonholonomic.mechanics.rolling.mechanism import (
-    rolling_mechanism as rolling_mechanism,
-)
 from nonholonomic.mechanics.shapes.implicit import (
-    Implicit as Implicit,
+    ImplicitShape as ImplicitShape,
 )
 from nonholonomic.mechanics.shapes.revolution import (
-    Revolution as Revolution,
+    ShapeOfRevolution as ShapeOfRevolution,
 )
 from nonholonomic.mechanics.shapes.shapes import (
     Ball as Ball,
@@ -132,22 +86,16 @@ from nonholonomic.mechanics.shapes.surfaces import (
 )
 from nonholonomic.mechanics.sympy_models.conversion import (
     from_sympy as from_sympy,
-    mechanism_from_sympy as mechanism_from_sympy,
 )
 from nonholonomic.starts import (
     initial_state as initial_state,
 )
 
-from . import (
-    experiment as experiment,
-    page as page,
-    report as report,
-    server as server,
+from ._version import (
+    __version__ as __version__,
 )
-from ._version import __version__ as __version__
 from .experiment.dataset import (
     open_dataset as open_dataset,
-    write_dataset as write_dataset,
 )
 from .experiment.models.experiment import (
     load_experiment as load_experiment,
@@ -156,3 +104,54 @@ from .experiment.models.experiment import (
 from .experiment.study import (
     Study as Study,
 )
+
+__all__ = [  # noqa: RUF022  (in the order in which they are used)
+    # describe
+    "Body",
+    "Ball",
+    "Disk",
+    "Ellipsoid",
+    "Torus",
+    "ShapeOfRevolution",
+    "ImplicitShape",
+    "Plane",
+    "Sphere",
+    "Forces",
+    # make a system
+    "System",
+    "Parameter",
+    "Mechanism",
+    "Frame",
+    "RollingBody",
+    "rolling_system",
+    "equations_of_motion",
+    "from_catalogue",
+    "from_sympy",
+    # move it
+    "initial_state",
+    "integrate",
+    "ensemble",
+    "Trajectory",
+    "PoincareMap",
+    "lyapunov_spectrum",
+    "linear_stability",
+    # know it
+    "Integral",
+    "Measure",
+    "Symmetry",
+    "prove",
+    "Verdict",
+    "find_laws",
+    "invariant_measure",
+    "classify",
+    "solve",
+    # keep it
+    "load_experiment",
+    "parse_experiment",
+    "Study",
+    "open_dataset",
+    "source_code",
+    # errors
+    "InputError",
+    "RunError",
+]

@@ -26,7 +26,7 @@ EXAMPLES = ("lagrange-top", "snakeboard", "two-veselova-constraints", "heavy-dis
 
 def test_the_names_and_titles_need_no_sympy() -> None:
     code = (
-        "import sys; import chaplygin as ch; assert ch.CATALOGUE.titles['veselova']; "
+        "import sys; import nonholonomic; assert nonholonomic.CATALOGUE.titles['veselova']; "
         "from chaplygin.cli.list_ import command; command(None, '6', False, False); "
         "print({'sympy', 'numpy', 'pydantic'} & set(sys.modules))"
     )

@@ -23,7 +23,7 @@ from flowlanes.system.vectors import dot, norm_squared, to_components, vectors
 from nonholonomic.catalogue import CATALOGUE, known_laws_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Torus
 from nonholonomic.mechanics.shapes.surfaces import Sphere
 from nonholonomic.starts import initial_state
@@ -129,14 +129,14 @@ TURNED = ((1.0, 0.1, 0.0), (0.1, 1.5, -0.05), (0.0, -0.05, 2.1))
 
 VARIANTS = {
     "marble ball in Bruns' field": (
-        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, ((K, 0.7),))),
+        RollingBody(Body(1.2, MOMENTS, Ball(0.9)), field=Forces(0.0, BRUNS, {K: 0.7})),
         {"energy", "area", "momentum"},
     ),
     "rubber ball in Bruns' field": (
         RollingBody(
             Body(1.2, MOMENTS, Ball(0.9)),
             contact="rubber",
-            field=Forces(0.0, BRUNS, ((K, 0.7),)),
+            field=Forces(0.0, BRUNS, {K: 0.7}),
         ),
         {"energy", "momentum"},
     ),
@@ -192,7 +192,7 @@ VARIANTS = {
     ),
     "rubber body of revolution by its support function": (
         RollingBody(
-            Body(1.2, (0.6, 0.6, 0.8), Revolution(1 + gamma.symbols[2] ** 2 / 5)),
+            Body(1.2, (0.6, 0.6, 0.8), ShapeOfRevolution(1 + gamma.symbols[2] ** 2 / 5)),
             contact="rubber",
             field=Forces(9.81),
         ),

@@ -129,7 +129,7 @@ def test_ctrl_c_keeps_what_is_found(find: Ask, monkeypatch: pytest.MonkeyPatch) 
         yield next(original(question, progress))
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(search, "integrals", interrupted)
+    monkeypatch.setattr(search, "SEARCHES", {"integrals": interrupted})
     code, out, err = find("integrals", "chaplygin-ball")
     assert code == 130
     assert "F₁ = (M, γ)" in out
@@ -156,7 +156,7 @@ def test_conditions_of_a_proof_are_told(find: Ask, monkeypatch: pytest.MonkeyPat
             verdict = replace(finding.verdict, decision="proven where", conditions=("k > 0",))
             yield replace(finding, verdict=verdict)
 
-    monkeypatch.setattr(search, "integrals", where)
+    monkeypatch.setattr(search, "SEARCHES", {"integrals": where})
     code, out, _ = find("integrals", "chaplygin-ball")
     assert code == 0
     assert "proven where k > 0; repeats" in out

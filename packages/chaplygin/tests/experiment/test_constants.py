@@ -8,11 +8,11 @@ import re
 import pytest
 import sympy as sp
 
-from chaplygin import nonholonomy
 from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from lawproof.search import integrals, search_space
+from nonholonomic import nonholonomy
 from nonholonomic.invariant_measures.existence import invariant_measure
 from nonholonomic.mechanics.reduction.chaplygin import chaplygin_form
 

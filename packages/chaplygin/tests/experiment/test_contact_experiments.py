@@ -11,6 +11,7 @@ import pytest
 import xarray as xr
 
 import chaplygin as ch
+from chaplygin.experiment import write_dataset
 from chaplygin.experiment.contact.trajectory import ContactTrajectory
 from chaplygin.experiment.study import Study, dataset_of
 from chaplygin.experiment.subjects.contact_subject import ContactSubject
@@ -182,7 +183,7 @@ def test_what_is_written_is_read(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path, ending: str
 ) -> None:
     _, dataset = billiard
-    read = ch.open_dataset(ch.write_dataset(dataset, tmp_path / f"a.{ending}"))
+    read = ch.open_dataset(write_dataset(dataset, tmp_path / f"a.{ending}"))
     for name in dataset.variables:
         np.testing.assert_array_equal(read[name], dataset[name])
     assert read["mode"].dtype == np.int8
@@ -199,9 +200,7 @@ def test_a_motion_without_events_is_written(
     dataset = still.to_dataset()
     assert dataset.sizes["event"] == 0
     for ending in ("nc", "zarr"):
-        assert (
-            ch.open_dataset(ch.write_dataset(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0
-        )
+        assert ch.open_dataset(write_dataset(dataset, tmp_path / f"a.{ending}")).sizes["event"] == 0
 
 
 def test_the_dataset_of_a_motion_is_that_of_its_run(
@@ -217,7 +216,7 @@ def test_the_dataset_of_a_motion_is_that_of_its_run(
 def test_a_table_has_the_samples_alone(
     billiard: tuple[ContactTrajectory, xr.Dataset], tmp_path: Path
 ) -> None:
-    text = ch.write_dataset(billiard[1], tmp_path / "a.csv").read_text()
+    text = write_dataset(billiard[1], tmp_path / "a.csv").read_text()
     rows = [line for line in text.splitlines() if not line.startswith("#")]
     assert len(rows) == 1 + 26
     assert "mode" in rows[0].split(",")

@@ -15,8 +15,8 @@ from chaplygin.report.summary import drift
 from flowlanes.errors import InputError, RunError
 from flowlanes.system.system import System
 from nonholonomic.catalogue import CATALOGUE
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from spread import spread
@@ -73,7 +73,7 @@ def refusal(source: str) -> str:
 # --- what rolls on what ----------------------------------------------------------------------
 
 P = sp.Symbol("b", real=True)
-X, Y, Z = Implicit.coordinates
+X, Y, Z = ImplicitShape.coordinates
 
 SHAPES = {
     "ball": ('kind = "ball"\nradius = 0.9', Ball(0.9), "Ball on a plane"),
@@ -90,17 +90,17 @@ SHAPES = {
     ),
     "revolution": (
         'kind = "revolution"\nsupport = "sqrt(1 + b*gamma_3**2)"\nparameters = { b = 0.4 }',
-        Revolution(sp.sqrt(1 + P * sp.Symbol("gamma_3", real=True) ** 2), ((P, 0.4),)),
+        ShapeOfRevolution(sp.sqrt(1 + P * sp.Symbol("gamma_3", real=True) ** 2), {P: 0.4}),
         "Body of revolution on a plane",
     ),
     "profile": (
         'kind = "revolution"\nchi_1 = "-1"\nchi_2 = "-gamma_3"',
-        Revolution(sp.Integer(1)),
+        ShapeOfRevolution(sp.Integer(1)),
         "Body of revolution on a plane",
     ),
     "implicit": (
         'kind = "implicit"\nsurface = "x**2 + y**2/b + z**2 - 1"\nparameters = { b = 0.8 }',
-        Implicit(X**2 + Y**2 / P + Z**2 - 1, ((P, 0.8),)),
+        ImplicitShape(X**2 + Y**2 / P + Z**2 - 1, {P: 0.8}),
         "Convex body on a plane",
     ),
 }
@@ -112,9 +112,9 @@ def test_every_shape_is_made_and_rolls(kind):
     table, shape, title = SHAPES[kind]
     made = study(shape=table)
     found = made.rolling.body.shape
-    if isinstance(found, Revolution):
+    if isinstance(found, ShapeOfRevolution):
         assert sp.simplify(found.support - shape.support) == 0
-        assert found.values == shape.values
+        assert found.parameters == shape.parameters
     else:
         assert found == shape
     assert made.system.title == title

@@ -12,6 +12,7 @@ import random
 import sympy as sp
 
 import chaplygin as ch
+import nonholonomic
 from flowlanes.system.laws import Integral, Law
 from flowlanes.system.system import System
 from fuzz.case import Case, Family, Truth, parameter, real
@@ -92,7 +93,7 @@ def energy_with_constraints(rng: random.Random) -> Case:
     elif spoilt == "time":
         lagrangian, why = lagrangian - t * (x + 2 * y + 3 * phi), "the potential depends on time"
         told = energy + t * (x + 2 * y + 3 * phi)
-    frame = ch.coordinates(*PLACES)
+    frame = nonholonomic.coordinates(*PLACES)
 
     def make() -> tuple[System, Law]:
         mechanism = ch.Mechanism(

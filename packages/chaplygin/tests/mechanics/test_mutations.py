@@ -97,7 +97,7 @@ BODIES = (
     ("implicit", "inside", "rubber"),
 )
 
-_PROFILE = "revolution.Revolution.from_profile"
+_PROFILE = "revolution.ShapeOfRevolution.from_profile"
 _SIZE = "1 + abs(sp.N(chi_1.subs(here)))"
 
 #: Changes that alter no motion, with the reason.

@@ -10,6 +10,7 @@ import pytest
 import sympy as sp
 
 import chaplygin as ch
+import nonholonomic
 from chaplygin.experiment.study import dataset_of
 from chaplygin.page.page_model import live_page_model
 from chaplygin.page.page_systems import reduced_system
@@ -77,7 +78,7 @@ def test_motions_agree(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", sorted(ch.CATALOGUE))
+@pytest.mark.parametrize("name", sorted(nonholonomic.CATALOGUE))
 def test_motions_of_the_catalogue_agree(name):
     assert_same_motion(name)
 

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import chaplygin as ch
+import nonholonomic
 from browser import Opened, browsers
 from chaplygin.experiment.study import dataset_of
 from chaplygin.page.element import page
@@ -38,7 +39,7 @@ def chromium() -> Iterator[Any]:
         yield launch()
 
 
-@pytest.mark.parametrize("name", [*sorted(ch.CATALOGUE), *FILES])
+@pytest.mark.parametrize("name", [*sorted(nonholonomic.CATALOGUE), *FILES])
 def test_a_page_opens_and_computes_what_python_does(
     name: str, chromium: Any, tmp_path: Path
 ) -> None:

@@ -12,6 +12,9 @@ import pytest
 import sympy as sp
 
 import chaplygin as ch
+import flowlanes
+import lawproof
+import nonholonomic
 from certificate_checker import check
 from flowlanes.system import real_symbol
 from lawproof.proof.certificates.certificate import prove_with_certificate
@@ -28,7 +31,7 @@ PARAMETERS = (
 )
 BLADE = ydot * sp.cos(phi) - xdot * sp.sin(phi)
 LAGRANGIAN = m * (xdot**2 + ydot**2) / 2 + J * phidot**2 / 2 - k * (x**2 + phi**2) / 2
-PLANE = ch.coordinates(x, y, phi)
+PLANE = nonholonomic.coordinates(x, y, phi)
 
 
 def skate(**changed: Any) -> ch.Mechanism:
@@ -153,7 +156,7 @@ def test_one_mechanism_written_in_several_ways_has_the_same_verdicts(
     wrong = ch.Integral("wrong", energy.value + speed**2)
     assert ch.prove(system, wrong).decision == "refuted"
     assert ch.prove(system, ch.Measure("volume", {})).decision == "refuted"
-    tangent = ch.Identity("tangent", ch.Rate(sp.sympify(system.relations[0])))
+    tangent = flowlanes.Identity("tangent", flowlanes.Rate(sp.sympify(system.relations[0])))
     assert ch.prove(system, tangent).decision == "proven"
 
 
@@ -167,7 +170,7 @@ def test_the_theorem_of_jacobi_s_integral() -> None:
     theta, speed, Omega = map(real_symbol, ["theta", "thetadot", "Omega"])
     spun, height = Omega**2 * sp.sin(theta) ** 2 / 2, -sp.cos(theta)
     bead = ch.Mechanism(
-        "bead", ch.coordinates(theta), speed**2 / 2 + Omega * speed + spun - height,
+        "bead", nonholonomic.coordinates(theta), speed**2 / 2 + Omega * speed + spun - height,
         parameters=(ch.Parameter(Omega, "angular velocity", 2.0),),
         laws=(
             ch.Integral("jacobi", speed**2 / 2 - spun + height),
@@ -211,7 +214,9 @@ def test_the_theorem_does_not_outlive_its_equations() -> None:
     (theorem,) = changed.theorems
     assert isinstance(theorem, PowerTheorem)
     energy = changed.laws[0]
-    verdicts = [v for whole in identities_of(theorem, changed, energy) for v in ch.prove_all(whole)]
+    verdicts = [
+        v for whole in identities_of(theorem, changed, energy) for v in lawproof.prove_all(whole)
+    ]
     assert [v.decision for v in verdicts] == ["proven", "refuted"]
     assert ch.prove(changed, energy).decision == "refuted"
 
@@ -236,7 +241,7 @@ def test_the_theorem_is_silent_where_a_multiplier_may_be_infinite() -> None:
     z, zdot = real_symbol("z"), real_symbol("zdot")
     slack = ch.Mechanism(
         "slack",
-        ch.coordinates(x, z),
+        nonholonomic.coordinates(x, z),
         (xdot**2 + 2 * zdot**2 - x**2 - z**2) / 2,
         constraints=(x * (zdot - x**2 * xdot),),
     )

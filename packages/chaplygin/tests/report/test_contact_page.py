@@ -37,7 +37,9 @@ LAWS: list[FrictionLaw] = [
     ViscousRolling(1e-3),
     ContourResistance(0.01),
     PowerFriction(0.3, 0.5),
-    UserFriction("mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}),
+    UserFriction(
+        "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, parameters={"mu": 0.2, "v": 0.1}
+    ),
 ]
 
 BOUNCING = """

@@ -164,6 +164,16 @@ def test_a_toml_text_reads_back_to_the_same_laws() -> None:
             "'hamiltonian'?",
         ),
         (
+            "rank = 4",
+            'rank = 4\non = ["x"]',
+            "laws.brackets.canonical.on: unknown key; it is called level",
+        ),
+        (
+            "rank = 4",
+            'rank = 4\nlevel = ["q"]',
+            "laws.brackets.canonical.level: unknown name 'q'",
+        ),
+        (
             'map = { x = "x",',
             'map = { z = "x",',
             "line 53, laws.isomorphisms.unit.map.z: unknown name 'z'; allowed: x, y, u, v",

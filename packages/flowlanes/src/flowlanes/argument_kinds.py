@@ -119,6 +119,13 @@ def are_parameters(value: Any) -> bool:
     )
 
 
+def are_formula_parameters(value: Any) -> bool:
+    """Whether it maps names or symbols to numbers, or lists declared parameters."""
+    if isinstance(value, Mapping):
+        return all(map(is_number, value.values()))
+    return isinstance(value, list | tuple) and all(class_name(v) == "Parameter" for v in value)
+
+
 def are_conditions(value: Any) -> bool:
     """True for relations, or combinations of relations by and, or, not."""
     return isinstance(value, tuple | list) and all(map(_is_condition, value))

@@ -31,6 +31,7 @@ from typing import (
 from .argument_kinds import (
     Kind,
     are_conditions,
+    are_formula_parameters,
     are_formulas,
     are_named_formulas,
     are_numbers,
@@ -65,7 +66,15 @@ Parameters: TypeAlias = Annotated[
     "Mapping[str, ParameterValue] | Mapping[Symbol, ParameterValue] | None",
     Kind("a mapping of parameters to numbers", are_parameters),
 ]
-#: One positive number, such as a length or a duration.
+#: Parameters of a formula: values by name or symbol, or declared with their meaning.
+FormulaParameters: TypeAlias = Annotated[
+    Any,
+    Kind(
+        "a mapping of names or symbols to numbers, or a sequence of Parameters",
+        are_formula_parameters,
+    ),
+]
+#: One number, as a length or a duration is.
 Positive: TypeAlias = Annotated[
     float,
     Kind("a positive finite number", lambda value: is_number(value) and 0 < float(value) < inf),

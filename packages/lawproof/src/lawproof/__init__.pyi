@@ -8,3 +8,5 @@ from .proof.prover import (
     prove_all as prove_all,
 )
 from .proof.verdict import Verdict as Verdict
+from .search.finder import find_laws as find_laws
+from .search.result import SearchResult as SearchResult

@@ -34,8 +34,8 @@ from .mechanics.rolling.equations import (
     rolling_system as rolling_system,
 )
 from .mechanics.rolling.mechanism import rolling_mechanism as rolling_mechanism
-from .mechanics.shapes.implicit import Implicit as Implicit
-from .mechanics.shapes.revolution import Revolution as Revolution
+from .mechanics.shapes.implicit import ImplicitShape as ImplicitShape
+from .mechanics.shapes.revolution import ShapeOfRevolution as ShapeOfRevolution
 from .mechanics.shapes.shapes import (
     Ball as Ball,
     Disk as Disk,

@@ -9,7 +9,7 @@ import sympy as sp
 
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shape_base import Shape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.starts import initial_state
@@ -42,7 +42,7 @@ def _shape(kind: str, rng: random.Random) -> Shape:
     if kind == "ellipsoid":
         return Ellipsoid((first, first, second), centre=centre)
     support = 1 + bulge * u**2
-    return Revolution(support, ((bulge, round(rng.uniform(-0.2, 0.3), 3)),), centre=centre)
+    return ShapeOfRevolution(support, {bulge: round(rng.uniform(-0.2, 0.3), 3)}, centre=centre)
 
 
 def start(rolling: RollingBody, rng: random.Random) -> tuple[object, ...]:

@@ -21,7 +21,7 @@ from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.body import body_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Disk, Ellipsoid
 from nonholonomic.starts import initial_state
 
@@ -187,7 +187,7 @@ def test_a_start_off_the_phase_space_is_refused() -> None:
 
 
 def test_a_profile_that_is_not_convex_is_refused() -> None:
-    shape = Revolution(1 + u**4 / 2 - u**2 * 0.6)
+    shape = ShapeOfRevolution(1 + u**4 / 2 - u**2 * 0.6)
     rolling = RollingBody(Body(1.0, (0.3, 0.3, 0.3), shape), contact="rubber", field=Forces(1.0))
     with pytest.raises(InputError, match="leaves the convex part"):
         begun(rolling, (6.0, 0.0, 1.0), (0.0, 1.0, 0.0))

@@ -18,13 +18,13 @@ from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import Guard, System
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from nonholonomic.starts import initial_state
 
-X, Y, Z = Implicit.coordinates
+X, Y, Z = ImplicitShape.coordinates
 G = 9.81
 
 
@@ -235,7 +235,9 @@ def test_a_guard_costs_no_accuracy():
 # an oval of Cassini turned about its long axis, with a waist
 FOCUS, WIDTH = sp.Rational(19, 20), sp.Rational(5, 4)
 ACROSS = Y**2 + Z**2
-PEANUT = Implicit(sp.expand(((X - FOCUS) ** 2 + ACROSS) * ((X + FOCUS) ** 2 + ACROSS)) - WIDTH**4)
+PEANUT = ImplicitShape(
+    sp.expand(((X - FOCUS) ** 2 + ACROSS) * ((X + FOCUS) ** 2 + ACROSS)) - WIDTH**4
+)
 PEANUT_BODY = Body(1.0, (0.4, 0.9, 0.9), PEANUT)
 
 
@@ -278,7 +280,9 @@ def test_an_implicit_body_rolls_on_to_its_waist(surface, contact, sense):
 def test_a_body_of_revolution_rolls_on_to_its_cusp():
     """p = 1 + 6u²/5 has the radius of curvature p − u p′ = 1 − 6u²/5 along the parallel."""
     u = sp.Symbol("gamma_3", real=True)
-    system = rolling_system(Body(1.0, (0.5, 0.5, 0.6), Revolution(1 + sp.Rational(6, 5) * u**2)))
+    system = rolling_system(
+        Body(1.0, (0.5, 0.5, 0.6), ShapeOfRevolution(1 + sp.Rational(6, 5) * u**2))
+    )
     start = initial_state(system, (0.5, 0.1, 0.2), (0.1, 0.9, 0.2))
     motion = integrate(system, start, np.linspace(0.0, 30.0, 301), dense=True)
     (message,) = motion.events
@@ -311,7 +315,7 @@ def test_a_guard_may_be_the_same_in_every_state():
     """A ball given by its support function is convex everywhere; its second guard is watched."""
     u = sp.Symbol("gamma_3", real=True)
     inertia, start = (0.08, 0.1, 0.13), ((0.3, -0.4, 0.2), (0.36, -0.48, 0.8))
-    shapes = Ball(RADIUS), Revolution(sp.Rational(1, 2) + 0 * u)
+    shapes = Ball(RADIUS), ShapeOfRevolution(sp.Rational(1, 2) + 0 * u)
     ends = []
     for shape in shapes:
         system = rolling_system(Body(1.0, inertia, shape), Sphere(DOME), field=Forces(G))
@@ -327,7 +331,7 @@ def test_a_guard_may_be_the_same_in_every_state():
     [
         (Ellipsoid((1.0, 1.0, 0.4)), Sphere(2.0, side="inside"), (0.0, 0.1, 1.0), "does not fit"),
         (
-            Revolution(1 + sp.Rational(6, 5) * sp.Symbol("gamma_3", real=True) ** 2),
+            ShapeOfRevolution(1 + sp.Rational(6, 5) * sp.Symbol("gamma_3", real=True) ** 2),
             Plane(),
             (0.0, 0.35, 0.94),
             "leaves the convex part",

@@ -13,8 +13,8 @@ from mechanics.portrait import Portrait
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.contact import contact as contact_of
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
@@ -35,8 +35,8 @@ SHAPES = {
     "turned ellipsoid": Ellipsoid((1.0, 1.2, 0.9), turn=0.4, centre=CENTRE),
     "disk": Disk(0.8, centre=CENTRE),
     "torus": Torus(0.8, 0.2, centre=CENTRE),
-    "revolution": Revolution(1 + GAMMA[2] ** 2 / 10 - GAMMA[2] ** 3 / 30, centre=CENTRE),
-    "implicit": Implicit(QUARTIC, centre=CENTRE),
+    "revolution": ShapeOfRevolution(1 + GAMMA[2] ** 2 / 10 - GAMMA[2] ** 3 / 30, centre=CENTRE),
+    "implicit": ImplicitShape(QUARTIC, centre=CENTRE),
 }
 SURFACES = {"plane": Plane(), "outside": Sphere(2.0), "inside": Sphere(6.0, side="inside")}
 

@@ -138,9 +138,9 @@ def shape_of(table: Mapping[str, Any], package: Package = PACKAGE) -> Any:
         case "revolution":
             names = {"g3": GAMMA[2]}
             profile = (formula(table[key], names) for key in ("chi1", "chi2"))
-            return package.revolution.Revolution.from_profile(*profile, **at)
+            return package.revolution.ShapeOfRevolution.from_profile(*profile, **at)
         case "implicit":
-            return package.implicit.Implicit(
+            return package.implicit.ImplicitShape(
                 formula(table["surface"], dict(zip("xyz", XYZ, strict=True))), **at
             )
     raise KeyError(table["kind"])

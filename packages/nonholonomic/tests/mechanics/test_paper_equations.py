@@ -16,8 +16,8 @@ from flowlanes.system.vectors import Vector, real_symbol, to_components
 from mechanics.compare import GAMMA, XYZ
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from spread import spread
@@ -201,12 +201,12 @@ SHAPES = {
     ),
     # The support function of a surface gives its points as the gradient of p(nu) of degree one.
     "revolution": (
-        Revolution(SUPPORT, **AT),
+        ShapeOfRevolution(SUPPORT, **AT),
         CENTRE - SUPPORT * G - SUPPORT.diff(GAMMA[2]) * (sp.Matrix([0, 0, 1]) - GAMMA[2] * G),
         E,
     ),
     "implicit": (
-        Implicit(
+        ImplicitShape(
             X**2 / AXES[0] ** 2 + Y**2 / AXES[1] ** 2 + Z**2 / AXES[2] ** 2 - 1,
             **AT,
         ),
@@ -400,7 +400,7 @@ def test_profile_of_a_body_of_revolution():
     """Section 5: r = (chi_1 gamma_1, chi_1 gamma_2, chi_2), and its potential energy."""
     u = GAMMA[2]
     chi_1, chi_2 = -1 + u**2 / 5, -u * (1 + sp.Rational(2, 5)) + u**3 / 5
-    shape = Revolution.from_profile(chi_1, chi_2, **AT)
+    shape = ShapeOfRevolution.from_profile(chi_1, chi_2, **AT)
     gamma = NORMALS["steep"]
     system = rolling_system(body(shape), field=Forces(float(GRAVITY)))
     point = ball_point(system, gamma, NONE)

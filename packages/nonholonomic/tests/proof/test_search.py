@@ -398,7 +398,7 @@ def test_the_energy_of_a_rattleback() -> None:
         ({"level": ["M² + 1"]}, "is empty"),
         ({"level": ["γ² = 2"]}, "is empty"),
         ({"level": ["M_1"]}, "is not invariant"),
-        ({"level": ["M·γ +"]}, "on"),
+        ({"level": ["M·γ +"]}, "level"),
         ({"momenta": "beta"}, "unknown variable 'beta'"),
         ({"momenta": "M", "coordinates": "M_1, gamma"}, "both a momentum and a coordinate"),
         ({"divisors": ["beta"]}, "unknown name 'beta'"),

@@ -20,7 +20,7 @@ from flowlanes.system.system import System
 from flowlanes.system.vectors import real_symbol, vectors
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 
 M, omega, gamma, r = vectors("M omega gamma r")
 m, I_1, I_2, I_3 = (real_symbol(s) for s in ("m", "I_1", "I_2", "I_3"))
@@ -49,7 +49,7 @@ def any_body() -> System:
 
 def _with_some_profile(potential: sp.Expr) -> System:
     """A body of revolution with a placeholder profile."""
-    some = Revolution(1 + g_3**2 / 4)
+    some = ShapeOfRevolution(1 + g_3**2 / 4)
     system = rolling_system(Body(1.0, (0.3, 0.3, 0.2), some), field=Forces(9.81, potential))
     return replace(system, guards=(), observables=(), reconstruction=None, laws=())
 

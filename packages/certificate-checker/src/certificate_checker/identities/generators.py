@@ -199,7 +199,7 @@ class Sample:
 
     @cached_property
     def places(self) -> Mapping[str, Point]:
-        """The point and its image, as in :meth:`..claim.domain.Domain.places`."""
+        """The point and its image, as :meth:`certificate_checker.claim.domain.Domain.places`."""
         return self.generators.domain.places(self.point)
 
     def require_definitions(self) -> None:

@@ -10,7 +10,7 @@ as its basis.  Every formula of the claim has a value in A by these rules:
   |f|^2a;
 - two values of a function are the same symbol where their arguments are equal in A; sine and
   cosine of a sum of whole multiples of angles follow from those of the angles, exponentials alike;
-- derivatives follow the rules of :mod:`..claim.functions`.
+- derivatives follow the rules of :mod:`certificate_checker.claim.functions`.
 
 All of them are valid for real numbers wherever the law is defined, whatever other relations exist
 between these functions; so an identity in A is an identity of real functions.  It is tested at one

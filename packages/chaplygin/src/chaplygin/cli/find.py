@@ -122,10 +122,9 @@ def special(system: System) -> tuple[str, ...]:
 
 
 def _results(kind: str, question: SearchSpace) -> tuple[list[SearchResult], bool]:
-    """Results, and True if the search was completed."""
-    from lawproof.search import integrals, measures, symmetries
+    """The results, and whether the search was completed."""
+    from lawproof.search import SEARCHES
 
-    search = {"integrals": integrals, "measure": measures, "symmetries": symmetries}[kind]
     results: list[SearchResult] = []
     try:
         with progress(f"searching for {kind}") as report:
@@ -134,7 +133,7 @@ def _results(kind: str, question: SearchSpace) -> tuple[list[SearchResult], bool
                 report.say(f"searching for {kind}: {words}" if words else f"searching for {kind}")
                 report(fraction)
 
-            results.extend(search(question, update))
+            results.extend(SEARCHES[kind](question, update))
     except KeyboardInterrupt:
         print_interruption("the results found up to then follow")
         return results, False

@@ -41,11 +41,12 @@ def write_dataset(dataset: xr.Dataset, path: str | Path, force: bool = False) ->
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin.experiment import write_dataset
     >>> from tempfile import TemporaryDirectory
     >>> ball = ch.from_catalogue("chaplygin-ball")
     >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
     >>> with TemporaryDirectory() as folder:
-    ...     ch.write_dataset(motion.to_dataset(), f"{folder}/ball.csv").name
+    ...     write_dataset(motion.to_dataset(), f"{folder}/ball.csv").name
     'ball.csv'
     """
     target = Path(path)
@@ -111,13 +112,12 @@ def open_dataset(path: str | Path) -> xr.Dataset:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin.experiment import write_dataset
     >>> from tempfile import TemporaryDirectory
     >>> ball = ch.from_catalogue("chaplygin-ball")
     >>> motion = ch.integrate(ball, {"omega": (1, 0, 2), "gamma": (0, 0, 1)}, [0.0, 5.0, 10.0])
     >>> with TemporaryDirectory() as folder:
-    ...     ch.open_dataset(ch.write_dataset(motion.to_dataset(), f"{folder}/ball.nc"))[
-    ...         "omega"
-    ...     ].shape
+    ...     ch.open_dataset(write_dataset(motion.to_dataset(), f"{folder}/ball.nc"))["omega"].shape
     (3, 3)
     """
     if not Path(path).exists():

@@ -89,7 +89,7 @@ def symbol_mathml(name: str, size: int = 1) -> str:
 
 
 def columns_of(study: Study) -> tuple[Column, ...]:
-    """The columns of a study, named as by :func:`chaplygin.to_dataset`.
+    """The columns of a study, named as in the dataset of a motion.
 
     For a mechanism in the plane, the positions of its drawing follow.
     """

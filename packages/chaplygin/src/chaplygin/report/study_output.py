@@ -87,12 +87,13 @@ def write_study(
     --------
     >>> import tempfile
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "veselova"}', overrides=["run.until=1"])
     ... )
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     home = Path(folder, "veselova")
-    ...     motion, failure = ch.report.write_study(study, home, total_budget=0)
+    ...     motion, failure = report.write_study(study, home, total_budget=0)
     ...     sorted(path.name for path in home.iterdir())
     ['experiment.toml', 'figures', 'report.html', 'trajectory.nc']
     """

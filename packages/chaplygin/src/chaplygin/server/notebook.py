@@ -77,8 +77,9 @@ def widget(what: Study | System) -> AnyWidget:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import server
     >>> study = ch.Study.from_experiment(ch.parse_experiment('system = {name = "veselova"}'))
-    >>> shown = ch.server.widget(study)
+    >>> shown = server.widget(study)
     >>> shown.title
     'Veselova system'
     """

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from flowlanes.orbits.orbit_near import orbit_facts, orbit_near
+from flowlanes.system.tolerance import TOLERANCE
 
 from ..experiment.poincare import DIRECTIONS
 from ..experiment.single_system import without_reconstruction
 from ..experiment.study import Study
 from .requests import PeriodicOrbit
 from .workers import Message
-
-#: Tolerance of one step, as on the command line.
-_TOLERANCE = 1e-15
 
 
 def periodic_orbit(study: Study, request: PeriodicOrbit) -> Message:
@@ -30,7 +28,7 @@ def periodic_orbit(study: Study, request: PeriodicOrbit) -> Message:
         [float(x) for x in study.start[: len(system.symbols)]],
         study.until,
         (request.on, request.value, DIRECTIONS[request.direction], False),
-        (request.after, request.period, _TOLERANCE),
+        (request.after, request.period, TOLERANCE["double"]),
         request.hold,
     )
     return orbit_facts(orbit)

@@ -7,14 +7,12 @@ from collections.abc import Iterator
 from flowlanes.printing.formula import latex, text
 from flowlanes.printing.mathml import mathml
 from flowlanes.system.vectors import real_symbol
-from lawproof.search import SearchResult, integrals, measures, search_space, symmetries
+from lawproof.search import SEARCHES, SearchResult, search_space
 
 from ..experiment.single_system import single_system
 from ..experiment.study import Study
 from .requests import Search
 from .workers import Message
-
-_SEARCHES = {"integrals": integrals, "measure": measures, "symmetries": symmetries}
 
 
 def search_messages(study: Study, request: Search) -> Iterator[Message]:
@@ -38,7 +36,7 @@ def search_messages(study: Study, request: Search) -> Iterator[Message]:
     def update(fraction: float, words: str) -> None:
         said.append({"doing": f"searching: {words}" if words else "searching"})
 
-    for result in _SEARCHES[request.kind](question, update):
+    for result in SEARCHES[request.kind](question, update):
         yield from said[-1:]
         said.clear()
         yield {"found": _law(result)}

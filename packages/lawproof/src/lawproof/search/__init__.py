@@ -14,10 +14,20 @@ phase space; a solution is converted to a formula in the parameters and proved.
 3*a**2 - c**2 proven
 """
 
+from .finder import SEARCHES, find_laws
 from .integrals import integrals
 from .measures import measures
 from .request import search_space
 from .result import SearchResult, SearchSpace
 from .symmetries import symmetries
 
-__all__ = ["SearchResult", "SearchSpace", "integrals", "measures", "search_space", "symmetries"]
+__all__ = [
+    "SEARCHES",
+    "SearchResult",
+    "SearchSpace",
+    "find_laws",
+    "integrals",
+    "measures",
+    "search_space",
+    "symmetries",
+]

@@ -110,7 +110,7 @@ def search_space(
     space = restricted_system(
         system,
         [condition(text, system, "at") for text in at],
-        [formula(text, system, "on") for text in level],
+        [formula(text, system, "level") for text in level],
     )
     vocabulary = VectorInvariants(space, ansatz, weights(space))
     return SearchSpace(

@@ -8,7 +8,10 @@ from typing import Any, Literal
 
 import sympy as sp
 
+from flowlanes.printing.formula import text
 from flowlanes.system.laws import Integral, Measure, Symmetry
+from flowlanes.system.overview import Overview, WithOverview
+from flowlanes.system.vectors import real_symbol
 
 from ..proof.fields.budget import EFFORT
 from ..proof.verdict import Verdict
@@ -69,8 +72,8 @@ class SearchSpace:
     effort: int = EFFORT
 
 
-@dataclass(frozen=True)
-class SearchResult:
+@dataclass(frozen=True, repr=False)
+class SearchResult(WithOverview):
     """A law found by a search.
 
     Attributes
@@ -93,6 +96,8 @@ class SearchResult:
     >>> a, b, c = sp.symbols("a b c", real=True)
     >>> top = flowlanes.System("top", "Euler's top", {a: -b * c, b: 4 * a * c, c: -3 * a * b})
     >>> found = next(lawproof.search.integrals(lawproof.search.search_space(top)))
+    >>> found
+    F₁ = 4 a² + b²: proven
     >>> found.kind, found.verdict.decision
     ('integral', 'proven')
     """
@@ -112,3 +117,17 @@ class SearchResult:
     def formula(self) -> Any:
         """The law as one formula (a tuple of pairs for a symmetry); None if it has none."""
         return getattr(self.law, "value", getattr(self.law, "field", None))
+
+    def overview(self) -> Overview:
+        """The law, what the prover says of it, and what else was seen."""
+        if self.law is None or self.verdict is None:
+            return Overview(f"{self.kind}: only observed, modulo a prime", (("note", self.remark),))
+        if self.kind == "symmetry":
+            shown = ", ".join(f"{text(name)} ↦ {text(value)}" for name, value in self.formula)
+        else:
+            name = "ρ" if self.kind == "measure" else text(real_symbol(self.law.name))
+            shown = f"{name} = {text(self.formula)}"
+        return Overview(
+            f"{shown}: {self.verdict.words}",
+            (("repeats", self.catalogue_law), ("note", self.remark)),
+        )

@@ -47,7 +47,7 @@ def classify_laws(
     budget: ProofBudget,
     source: RollingBody | Mechanism | None,
 ) -> Classification:
-    """Classify a system; see :func:`place`."""
+    """Classify a system; see :func:`classify`."""
     try:
         whole = _without_angles(system)
         place = _place_with_levels(whole, verdicts, budget, source)

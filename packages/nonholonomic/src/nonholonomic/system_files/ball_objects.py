@@ -38,7 +38,7 @@ def rolling_ball(file: BallFile) -> RollingBall:
             gravity=field.gravity,
             direction=field.direction,
             potential=potential,
-            numbers=field.numbers("number in the potential"),
+            parameters=field.parameters,
         )
 
 

@@ -182,9 +182,9 @@ class ImplicitSurfaceTable(SmoothTable):
 
     def surface(self) -> SmoothSurface:
         """The surface, its equation read."""
-        numbers = self.numbers("number in the surface")
-        equation = self.expression(self.equation)
-        return balls.ImplicitSurface(equation, numbers, side=self.side, axis=self.axis)
+        return balls.ImplicitSurface(
+            self.expression(self.equation), self.parameters, side=self.side, axis=self.axis
+        )
 
 
 SMOOTH_SURFACES = OpenKinds(

@@ -50,4 +50,4 @@ def forces_of(file: BodyOnSurface) -> Forces:
     forces = file.field
     with file.placing_errors("field"):
         potential = forces.expression(forces.potential) if forces.potential else sp.S.Zero
-        return Forces(forces.gravity, potential, forces.values)
+        return Forces(forces.gravity, potential, forces.parameters)

@@ -158,7 +158,7 @@ class TorusTable(ShapeTable):
 class RevolutionTable(ShapeTable):
     """A body of revolution about body axis 3, by its support function or by χ₁ and χ₂."""
 
-    shape_class = "Revolution"
+    shape_class = "ShapeOfRevolution"
 
     variables: ClassVar[tuple[str, ...]] = ("gamma_3",)
 
@@ -185,15 +185,17 @@ class RevolutionTable(ShapeTable):
     def shape(self) -> Shape:
         """The body, with its support function read or derived from χ₁ and χ₂."""
         if self.support is not None:
-            return shapes.Revolution(self.expression(self.support), self.values, centre=self.centre)
+            return shapes.ShapeOfRevolution(
+                self.expression(self.support), self.parameters, centre=self.centre
+            )
         chi_1, chi_2 = (self.expression(text or "0") for text in (self.chi_1, self.chi_2))
-        return shapes.Revolution.from_profile(chi_1, chi_2, dict(self.values), self.centre)
+        return shapes.ShapeOfRevolution.from_profile(chi_1, chi_2, self.parameters, self.centre)
 
 
 class ImplicitTable(ShapeTable):
     """A smooth convex body f(x, y, z) < 0, in coordinates from its centre."""
 
-    shape_class = "Implicit"
+    shape_class = "ImplicitShape"
 
     variables: ClassVar[tuple[str, ...]] = ("x", "y", "z")
 
@@ -207,7 +209,9 @@ class ImplicitTable(ShapeTable):
 
     def shape(self) -> Shape:
         """The body, with its equation read."""
-        return shapes.Implicit(self.expression(self.surface), self.values, centre=self.centre)
+        return shapes.ImplicitShape(
+            self.expression(self.surface), self.parameters, centre=self.centre
+        )
 
 
 SHAPES = OpenKinds(

@@ -5,7 +5,7 @@ Formulas are kept as they are typed; :mod:`nonholonomic.system_files.laws` reads
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import ConfigDict, Field, Strict, ValidationError, model_serializer, model_validator
@@ -42,9 +42,11 @@ class LawTable(Table):
 
     choices: ClassVar[tuple[frozenset[str], ...]] = ()
     """Keys of which one stands in place of another."""
+    other_words: ClassVar[Mapping[str, str]] = {"on": "level"}
+    """Words that are used for a key, with the key."""
 
     meaning: Text = Field(default="", description=TEXT)
-    on: Texts = Field(default=(), description=FORMULAS)
+    level: Texts = Field(default=(), description=FORMULAS)
     """Formulas that must vanish for the law to hold."""
     where: Texts = Field(default=(), description=CONDITIONS)
     """Conditions on the parameters without which the law is not claimed."""

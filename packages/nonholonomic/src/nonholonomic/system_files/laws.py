@@ -79,7 +79,7 @@ class LawReader:
     def law(self, kind: str, name: str, table: LawTable) -> Law:
         """The law of a table, with the form in which its source prints it."""
         key = ("laws", kind, name)
-        common = {"level": self.names.formulas(table.on, *key, "on"), "source": table.source}
+        common = {"level": self.names.formulas(table.level, *key, "level"), "source": table.source}
         law: Law = _READERS[kind](self, name, table, common, key)
         printed = table.printed
         if printed is None:

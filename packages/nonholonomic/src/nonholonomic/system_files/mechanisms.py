@@ -246,10 +246,10 @@ def _integrals(
     found = []
     for name, table in experiment.laws.integrals.items():
         key = ("laws", "integrals", name)
-        on = names.formulas(table.on, *key, "on")
+        level = names.formulas(table.level, *key, "level")
         where = [read_condition(names, text, *key, "where") for text in table.where]
         if fulfilled(where, values):
             value = names.scalar(table.value, *key)
-            law = Integral(name, value, table.meaning or name, table.unit, level=on)
+            law = Integral(name, value, table.meaning or name, table.unit, level=level)
             found.append(replace(law, source=table.source))
     return tuple(found)

@@ -29,8 +29,6 @@ from flowlanes.errors import InputError
 if TYPE_CHECKING:
     import sympy as sp
 
-    from flowlanes.system.system import Parameter
-
 
 @dataclass(frozen=True)
 class ParameterValues:
@@ -148,15 +146,6 @@ class FormulaTable(Table):
     def names(self) -> tuple[str, ...]:
         """All names that a formula of this table may use, besides functions and ``pi``."""
         return (*self.variables, *self.parameters)
-
-    @property
-    def values(self) -> tuple[tuple[sp.Symbol, float], ...]:
-        """The named numbers, by symbol."""
-        return tuple((core.real_symbol(name), value) for name, value in self.parameters.items())
-
-    def numbers(self, meaning: str) -> tuple[Parameter, ...]:
-        """The named numbers as parameters with a given meaning."""
-        return tuple(core.Parameter(symbol, meaning, value) for symbol, value in self.values)
 
     def expression(self, text: str) -> sp.Expr:
         """A formula of this table as an expression in the symbols of its names."""

@@ -162,12 +162,20 @@ def _as_written(data: object, key: Key) -> Key:
     return key
 
 
+def _word_for(place: _Location) -> str:
+    """The key that a table has for what another word is used for; empty if it has none."""
+    words: Mapping[str, str] = getattr(place.owner, "other_words", {})
+    return words.get(place.key[-1], "") if place.key else ""
+
+
 def _sentence(details: ErrorDetails, place: _Location, value: object) -> tuple[Key, str]:
     allowed = place.allowed_values
     context = details.get("ctx", {})
     match details["type"]:
         case "missing" if details["loc"][-1] == place.key[-1]:
             return place.key, f"missing; it must be {allowed}"
+        case "extra_forbidden" if word := _word_for(place):
+            return place.key, f"unknown key; it is called {word}"
         case "extra_forbidden" if place.owner:
             return place.key, f"unknown key{nearest(place.key[-1], place.owner.model_fields)}"
         case "union_tag_invalid":

@@ -355,8 +355,8 @@ class _Writer:
         return table
 
     def common(self, law: Any) -> Tables:
-        """The keys common to laws of all kinds."""
-        return _given(meaning=law.meaning, on=self.texts(law.level), source=law.source)
+        """What laws of all kinds have."""
+        return _given(meaning=law.meaning, level=self.texts(law.level), source=law.source)
 
     @singledispatchmethod
     def part(self, law: Law) -> Tables:

@@ -21,7 +21,7 @@ from nonholonomic.contact.friction.symbols import height
 from nonholonomic.contact.friction.viscous_friction import NormalViscous, Viscous
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces
-from nonholonomic.mechanics.shapes.implicit import Implicit
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 
@@ -64,7 +64,7 @@ def test_a_turning_support_does_work():
 
 
 def test_an_implicit_shape_is_placed_by_its_contact_vector():
-    body = Body(0.7, (0.3, 0.4, 0.5), Implicit(X**2 + 2 * Y**2 + Z**2 - 1))
+    body = Body(0.7, (0.3, 0.4, 0.5), ImplicitShape(X**2 + 2 * Y**2 + Z**2 - 1))
     system = contact_equations(FrictionalContact(body, laws=LAWS, field=GRAVITY), Mode())
     assert [str(s) for s in system.symbols[13:16]] == ["r_1", "r_2", "r_3"]
 

@@ -95,7 +95,7 @@ def test_the_law_in_whose_place_it_stands():
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_law_of_the_user(sign):
-    law = UserFriction("mu + slip_speed", couple="spin/(3 + spin)", values={"mu": 0.4})
+    law = UserFriction("mu + slip_speed", couple="spin/(3 + spin)", parameters={"mu": 0.4})
     _, p, q = beginning(prescribed_direction(law), 0.4, sign=sign)
     np.testing.assert_allclose(p, -0.6 * direction_at(0.4), atol=1e-15)
     np.testing.assert_allclose(q, -sign * NORMAL / 7, atol=1e-15)

@@ -31,7 +31,7 @@ from nonholonomic.mechanics.rolling.equations import Forces
 from nonholonomic.mechanics.shapes.shapes import Ball
 
 STRIBECK = UserFriction(
-    "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}
+    "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, parameters={"mu": 0.2, "v": 0.1}
 )
 seeds = pytest.mark.parametrize("seed", range(4))
 
@@ -40,7 +40,7 @@ seeds = pytest.mark.parametrize("seed", range(4))
 def test_force_and_couple_are_those_of_the_formulas(seed):
     at = random_contact_state(np.random.default_rng(seed))
     law = UserFriction(
-        "(a + slip_speed)/(1 + spin)", couple="b + spin**3", values={"a": 0.0, "b": 0.1}
+        "(a + slip_speed)/(1 + spin)", couple="b + spin**3", parameters={"a": 0.0, "b": 0.1}
     )
     speed, turn = np.linalg.norm(at.slip), abs(at.spin)
     found = law_values(law, Mode(), at)
@@ -126,7 +126,7 @@ def test_couple_that_holds_the_spin():
 
 @pytest.mark.parametrize("turn", [0.0, 0.4, -0.4])
 def test_couple_at_rest_besides_its_threshold(turn):
-    law = UserFriction("0.3", couple="b + spin**2 + spin*slip_speed", values={"b": 0.02})
+    law = UserFriction("0.3", couple="b + spin**2 + spin*slip_speed", parameters={"b": 0.02})
     q = to_components(law.reaction_at_rest.q)
     given = {spin: turn} | dict(zip(gamma.symbols, (0.6, 0.0, 0.8), strict=True))
     found = [float(x.xreplace(given)) for x in q]
@@ -142,9 +142,9 @@ def test_a_polynomial_force_is_defined_at_rest():
 
 
 def test_it_is_a_value():
-    one, other = (UserFriction("0.3*slip_speed + a", values={"a": 0.1}) for _ in range(2))
+    one, other = (UserFriction("0.3*slip_speed + a", parameters={"a": 0.1}) for _ in range(2))
     assert one == other and hash(one) == hash(other)
-    assert one != UserFriction("0.3*slip_speed + a", values={"a": 0.2})
+    assert one != UserFriction("0.3*slip_speed + a", parameters={"a": 0.2})
     v = sp.Symbol("slip_speed")
     assert UserFriction(sp.Rational(3, 10) * v + 1) == UserFriction("0.3*slip_speed + 1")
     assert [p.default for p in one.parameters] == [0.1, 0.1]
@@ -184,9 +184,12 @@ def test_it_is_a_value():
         ({"force": "0.3", "mu_static": 0.2}, "mu_static 0.2: it must be a finite number and at"),
         ({"force": "slip_speed", "mu_static": 0.2}, "mu_static 0.2: it must be a finite number"),
         ({"force": "0.3", "mu_static": math.inf}, "mu_static inf: it must be a finite number"),
-        ({"force": "a", "values": {"a": math.nan}}, "values: a = nan: it must be a finite number"),
-        ({"force": "0.3", "values": {"spin": 1.0}}, "values: 'spin' is no free name"),
-        ({"force": "0.3", "values": {"sin": 1.0}}, "values: 'sin' is no free name"),
+        (
+            {"force": "a", "parameters": {"a": math.nan}},
+            "parameter a = nan: it must be a finite number",
+        ),
+        ({"force": "0.3", "parameters": {"spin": 1.0}}, "parameter 'spin': this is no free name"),
+        ({"force": "0.3", "parameters": {"sin": 1.0}}, "parameter 'sin': this is no free name"),
         ({"force": [1]}, "UserFriction: force must be a name, a formula in quotes or a SymPy"),
     ],
     ids=str,

@@ -95,8 +95,10 @@ def test_the_energy_changes_by_the_power_at_the_contact(shape: nonholonomic.Ball
 
 
 def test_mistakes() -> None:
-    x, y, z = nonholonomic.Implicit.coordinates
-    quartic = nonholonomic.Body(1.0, (1.0, 1.0, 1.0), nonholonomic.Implicit(x**4 + y**4 + z**4 - 1))
+    x, y, z = nonholonomic.ImplicitShape.coordinates
+    quartic = nonholonomic.Body(
+        1.0, (1.0, 1.0, 1.0), nonholonomic.ImplicitShape(x**4 + y**4 + z**4 - 1)
+    )
     with pytest.raises(InputError, match="an implicit surface has no formula"):
         free_contact(quartic)
     with pytest.raises(InputError, match="a body with a spherical surface"):

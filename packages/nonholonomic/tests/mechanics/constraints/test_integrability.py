@@ -28,10 +28,10 @@ from nonholonomic import (
     Disk,
     Ellipsoid,
     Forces,
-    Implicit,
+    ImplicitShape,
     Plane,
-    Revolution,
     RollingBody,
+    ShapeOfRevolution,
     Sphere,
     Torus,
 )
@@ -235,10 +235,10 @@ SHAPES = {
         {"marble": (3, 5), "rubber": (2, 3, 5)},
     ),
     "revolution": (
-        Revolution(1 + real_symbol("gamma_3") ** 2 / 10),
+        ShapeOfRevolution(1 + real_symbol("gamma_3") ** 2 / 10),
         {"marble": (3, 5), "rubber": (2, 3, 5)},
     ),
-    "quartic": (Implicit(x**4 + y**4 + z**4 - 1), {"marble": (3, 5), "rubber": (2, 3, 5)}),
+    "quartic": (ImplicitShape(x**4 + y**4 + z**4 - 1), {"marble": (3, 5), "rubber": (2, 3, 5)}),
 }
 
 

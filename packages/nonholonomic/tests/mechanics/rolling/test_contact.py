@@ -27,8 +27,8 @@ from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.contact import contact
 from nonholonomic.mechanics.rolling.equations import rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from nonholonomic.starts import initial_state
@@ -221,8 +221,8 @@ def test_ball_rolls_in_a_larger_bowl(radius):
 
 LARGE = {
     "ellipsoid": Ellipsoid((1.0, 1.2, 0.9)),
-    "revolution": Revolution(1 + GAMMA[2] ** 2 / 10),
-    "implicit": Implicit(X**2 + 2 * Y**2 + Z**2 - 1),
+    "revolution": ShapeOfRevolution(1 + GAMMA[2] ** 2 / 10),
+    "implicit": ImplicitShape(X**2 + 2 * Y**2 + Z**2 - 1),
 }
 
 

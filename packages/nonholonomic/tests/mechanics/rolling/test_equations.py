@@ -271,7 +271,7 @@ def test_potential_may_use_the_parameters_of_the_body():
     potential = strength * moment * mass * GAMMA[2]
     system = rolling_system(
         Body(2.0, PRINCIPAL, SHAPES["ball"]),
-        field=Forces(potential=potential, values={strength: 0.5}),
+        field=Forces(potential=potential, parameters={strength: 0.5}),
     )
     one = Portrait(system)
     here = one.at(one.state(gamma=np.array([0.0, 0.6, 0.8])))

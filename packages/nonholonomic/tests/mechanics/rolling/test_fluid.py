@@ -25,7 +25,7 @@ from nonholonomic.mechanics.rolling.cavity import Cavity
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
 from nonholonomic.mechanics.rolling.initial_state import evaluate
 from nonholonomic.mechanics.rolling.mechanism import rolling_mechanism
-from nonholonomic.mechanics.shapes.implicit import Implicit
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from nonholonomic.starts import initial_state
@@ -418,7 +418,7 @@ def test_what_just_fits_is_accepted():
     Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=Cavity((0.5, 0.4, 0.3), 1.0, centre=(0.5, 0, 0)))
     beside = [Cavity((0.2, 0.3, 0.3), 1.0, centre=(x, 0.0, 0.0)) for x in (0.2, -0.2)]
     Body(1.0, (0.4, 0.5, 0.6), Ball(1.0), cavity=beside)
-    cushion = Implicit(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
+    cushion = ImplicitShape(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
     Body(1.0, (0.4, 0.5, 0.6), cushion, cavity=Cavity((0.3, 0.4, 0.5), 1.0))
 
 

@@ -22,8 +22,8 @@ from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
 from nonholonomic.mechanics.rolling.initial_state import evaluate
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Ellipsoid
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from nonholonomic.starts import initial_state
@@ -219,7 +219,7 @@ def test_very_long_body_has_its_contact_point():
     form = sum((v / sp.Rational(str(x))) ** 2 for v, x in zip(XYZ, axes, strict=True)) - 1
     gamma = np.array([0.02, 0.6, 0.8])
     gamma /= np.linalg.norm(gamma)
-    system = rolling_system(Body(1.0, MOMENTS, Implicit(form)))
+    system = rolling_system(Body(1.0, MOMENTS, ImplicitShape(form)))
     state = initial_state(system, (0.0, 0.0, 0.0), gamma)
     squares = np.array(axes) ** 2
     expected = -squares * gamma / np.sqrt(gamma @ (squares * gamma))
@@ -230,7 +230,7 @@ def test_very_long_body_has_its_contact_point():
 # Wrong input
 
 
-CUBE = Implicit(X**4 + Y**4 + Z**4 - 1)
+CUBE = ImplicitShape(X**4 + Y**4 + Z**4 - 1)
 NO_CONTACT = (
     "gamma: no contact point with this normal was found; the surface must be smooth and strictly "
     "convex there"
@@ -292,7 +292,7 @@ def test_contact_near_a_flat_point_is_found():
 def test_open_surface_is_refused(form):
     message = r"it is not closed; in the direction \(.*\) the left side stays negative"
     with pytest.raises(InputError, match=message):
-        Implicit(form)
+        ImplicitShape(form)
 
 
 def test_body_outside_the_domain_is_refused():
@@ -307,7 +307,7 @@ def test_body_outside_the_domain_is_refused():
 def test_body_of_revolution_does_not_start_on_a_flat_face():
     """A disk thickened by a ball, by its support function: its curvature at the pole is none."""
     rim = sp.sqrt(1 - Vector("gamma").symbols[2] ** 2)
-    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), Revolution(rim + sp.Rational(1, 5))))
+    system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), ShapeOfRevolution(rim + sp.Rational(1, 5))))
     with pytest.raises(InputError, match="the contact leaves the convex part of the body"):
         initial_state(system, (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
 

@@ -31,10 +31,10 @@ from nonholonomic import (
     Disk,
     Ellipsoid,
     Forces,
-    Implicit,
+    ImplicitShape,
     Plane,
-    Revolution,
     RollingBody,
+    ShapeOfRevolution,
     Sphere,
     Torus,
 )
@@ -59,8 +59,8 @@ SHAPES = {
     "turned off-centre ellipsoid": Ellipsoid((1.0, 0.8, 0.6), turn=0.3, centre=(0.1, 0.0, 0.05)),
     "disk": Disk(1.0),
     "torus": Torus(1.0, 0.3),
-    "body of revolution": Revolution(1 + g_3**2 / 5),
-    "implicit": Implicit(x**4 + y**4 + z**4 - 1),
+    "body of revolution": ShapeOfRevolution(1 + g_3**2 / 5),
+    "implicit": ImplicitShape(x**4 + y**4 + z**4 - 1),
 }
 SURFACES = {"plane": Plane(), "dome": Sphere(5.0), "bowl": Sphere(7.0, side="inside")}
 

@@ -12,8 +12,8 @@ from flowlanes.system.vectors import Vector
 from mechanics.bodies import CENTRE, SHAPES
 from mechanics.compare import XYZ, draw, shape_of
 from nonholonomic.mechanics.shapes.gauss_map import contact_points_of_normals
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shape_base import Shape
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 
@@ -40,7 +40,7 @@ def test_ball_without_displacement():
 
 def test_parameters_of_a_surface_have_their_values():
     flattening = sp.Symbol("flattening", real=True)
-    shape = Implicit(X**2 + Y**2 + flattening * Z**2 - 1, {flattening: 4.0}, centre=CENTRE)
+    shape = ImplicitShape(X**2 + Y**2 + flattening * Z**2 - 1, {flattening: 4.0}, centre=CENTRE)
     (top,) = shape.contact_points()(np.array([[0.0, 0.0, -1.0]]))
     np.testing.assert_allclose(top, np.add(CENTRE, (0.0, 0.0, 0.5)), rtol=0, atol=1e-14)
 
@@ -76,9 +76,12 @@ CUSHION = XYZ[0] ** 4 + XYZ[1] ** 4 + XYZ[2] ** 4 - 1
         (Torus(1.0, 0.2, centre=(0.0, 0.0, 0.19)), False),
         (Torus(1.0, 0.2, centre=(0.0, 0.0, 0.25)), False),
         (Torus(1.0, 0.2, centre=(1.3, 0.0, 0.0)), True),
-        (Revolution(sp.S(1) + Vector("gamma").symbols[2] / 10, centre=(0.0, 0.0, 0.5)), False),
-        (Implicit(CUSHION, centre=(0.8, 0.8, 0.5)), False),
-        (Implicit(CUSHION, centre=(0.9, 0.9, 0.9)), True),
+        (
+            ShapeOfRevolution(sp.S(1) + Vector("gamma").symbols[2] / 10, centre=(0.0, 0.0, 0.5)),
+            False,
+        ),
+        (ImplicitShape(CUSHION, centre=(0.8, 0.8, 0.5)), False),
+        (ImplicitShape(CUSHION, centre=(0.9, 0.9, 0.9)), True),
         (Disk(1.0, centre=(0.5, 0.0, 0.0)), False),
         (Disk(1.0, centre=(1.5, 0.0, 0.0)), True),
     ],

@@ -16,8 +16,8 @@ from mechanics.compare import GAMMA, XYZ
 from mechanics.portrait import Portrait, coordinates, directions
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, rolling_system
-from nonholonomic.mechanics.shapes.implicit import Implicit
-from nonholonomic.mechanics.shapes.revolution import Revolution
+from nonholonomic.mechanics.shapes.implicit import ImplicitShape
+from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane
 from nonholonomic.starts import initial_state
@@ -151,43 +151,43 @@ TWINS = {
         Ellipsoid((1.2, 0.9, 0.8), **AT),
         Ellipsoid((0.9, 1.2, 0.8), turn=np.pi / 2, **AT),
     ),
-    "ball by its support function": (Ball(0.9, **AT), Revolution(sp.Rational(9, 10), **AT)),
+    "ball by its support function": (Ball(0.9, **AT), ShapeOfRevolution(sp.Rational(9, 10), **AT)),
     "spheroid by its support function": (
         Ellipsoid((1.2, 1.2, 0.8), **AT),
-        Revolution(SPHEROID, **AT),
+        ShapeOfRevolution(SPHEROID, **AT),
     ),
     "spheroid by its profile": (
         Ellipsoid((1.2, 1.2, 0.8), **AT),
-        Revolution.from_profile(
+        ShapeOfRevolution.from_profile(
             -sp.Rational(36, 25) / SPHEROID, -sp.Rational(16, 25) * U / SPHEROID, **AT
         ),
     ),
     "ball moved along its axis": (
         Ball(0.9, centre=(0.1, -0.2, 0.35)),
-        Revolution(sp.Rational(9, 10) - U / 5, **AT),
+        ShapeOfRevolution(sp.Rational(9, 10) - U / 5, **AT),
     ),
     "torus by its support function": (
         Torus(0.8, 0.2, **AT),
-        Revolution(sp.Rational(1, 5) + sp.Rational(4, 5) * sp.sqrt(1 - U**2), **AT),
+        ShapeOfRevolution(sp.Rational(1, 5) + sp.Rational(4, 5) * sp.sqrt(1 - U**2), **AT),
     ),
     "implicit ball": (
         Ball(0.9, **AT),
-        Implicit(X**2 + Y**2 + Z**2 - sp.Rational(81, 100), **AT),
+        ImplicitShape(X**2 + Y**2 + Z**2 - sp.Rational(81, 100), **AT),
     ),
     "implicit ball by its distance": (
         Ball(0.9, **AT),
-        Implicit(sp.sqrt(X**2 + Y**2 + Z**2 + 1) - sp.sqrt(sp.Rational(181, 100)), **AT),
+        ImplicitShape(sp.sqrt(X**2 + Y**2 + Z**2 + 1) - sp.sqrt(sp.Rational(181, 100)), **AT),
     ),
     "implicit ellipsoid": (
         Ellipsoid((1.0, 1.25, 0.8), **AT),
-        Implicit(
+        ImplicitShape(
             X**2 + sp.Rational(16, 25) * Y**2 + sp.Rational(25, 16) * Z**2 - 1,
             **AT,
         ),
     ),
     "implicit ellipsoid by parameters": (
         Ellipsoid((1.0, 1.25, 0.8), **AT),
-        Implicit(
+        ImplicitShape(
             real_symbol("p_x") * X**2
             + Y**2 / real_symbol("l_y") ** 2
             + Z**2 / real_symbol("l_z") ** 2
@@ -312,11 +312,11 @@ def test_edge_lies_flat_below_a_millionth_of_a_radian(shape):
 
 def test_body_of_revolution_ends_where_it_is_not_convex():
     """Radii of curvature p - u p' and that plus (1 - u^2) p'' for p = 1 + u^2/2."""
-    shape = Revolution(1 + U**2 / 2)
+    shape = ShapeOfRevolution(1 + U**2 / 2)
     for u, parallel, meridian in ((0.5, 0.875, 1.625), (0.0, 1.0, 2.0)):
         values = list(guards(shape, (np.sqrt(1 - u**2), 0.0, u)).values())
         assert values == pytest.approx([parallel * meridian, parallel + meridian])
-    dented = guards(Revolution(1 - sp.Rational(2, 3) * U**2), (1.0, 0.0, 0.0))
+    dented = guards(ShapeOfRevolution(1 - sp.Rational(2, 3) * U**2), (1.0, 0.0, 0.0))
     assert min(dented.values()) < 0
 
 
@@ -361,52 +361,55 @@ MISTAKES = {
         "centre (0.0, inf, 0.0): it must be three finite numbers",
     ),
     "support": (
-        lambda: Revolution(U - sp.Rational(1, 2)),
+        lambda: ShapeOfRevolution(U - sp.Rational(1, 2)),
         "support function gamma_3 - 1/2 is -1.5 at gamma_3 = -1: it must be positive, the distance",
     ),
     "imaginary support": (
-        lambda: Revolution(sp.sqrt(U)),
+        lambda: ShapeOfRevolution(sp.sqrt(U)),
         "support function sqrt(gamma_3) is nan at gamma_3 = -1: it must be positive",
     ),
     "symbol of a support": (
-        lambda: Revolution(1 + bulge * U),
+        lambda: ShapeOfRevolution(1 + bulge * U),
         "bulge is not known; it may use gamma_3 and the parameters of the shape",
     ),
     "parameter of a support": (
-        lambda: Revolution(1 + bulge * U, {bulge: np.inf}),
+        lambda: ShapeOfRevolution(1 + bulge * U, {bulge: np.inf}),
         "parameter bulge = inf: it must be a finite number",
     ),
     "profile": (
-        lambda: Revolution.from_profile(sp.Integer(-1), -2 * U),
+        lambda: ShapeOfRevolution.from_profile(sp.Integer(-1), -2 * U),
         f"profile chi_1 = -1, chi_2 = -2*gamma_3: the surface has no normal -gamma, since "
         f"{A_PROFILE} 0.941176470588235 at gamma_3 = -16/17 and must be zero",
     ),
     "profile a little off": (
-        lambda: Revolution.from_profile(sp.Integer(-1), -U * (1 + sp.Rational(1, 10**7))),
+        lambda: ShapeOfRevolution.from_profile(sp.Integer(-1), -U * (1 + sp.Rational(1, 10**7))),
         "the surface has no normal -gamma",
     ),
     "profile inside out": (
-        lambda: Revolution.from_profile(sp.Integer(1), U),
+        lambda: ShapeOfRevolution.from_profile(sp.Integer(1), U),
         "support function -1 is -1 at gamma_3 = -1: it must be positive",
     ),
     "symbol of a profile": (
-        lambda: Revolution.from_profile(-bulge, -U),
+        lambda: ShapeOfRevolution.from_profile(-bulge, -U),
         "profile chi_1 = -bulge, chi_2 = -gamma_3: bulge is not known; it may use gamma_3 and the "
         "parameters of the shape",
     ),
     "surface": (
-        lambda: Implicit(X**2 + Y**2 + Z**2 + 1),
+        lambda: ImplicitShape(X**2 + Y**2 + Z**2 + 1),
         "surface x**2 + y**2 + z**2 + 1 = 0: the left side is 1.00000000000000 at the geometric "
         "centre x = y = z = 0, and must be negative there (negative inside, zero on the surface)",
     ),
-    "surface through the centre": (lambda: Implicit(X**2 + Y**2 + Z**2 - X), "the left side is 0"),
-    "surface with a pole": (lambda: Implicit(1 / X - 1), "the left side is zoo"),
+    "surface through the centre": (
+        lambda: ImplicitShape(X**2 + Y**2 + Z**2 - X),
+        "the left side is 0",
+    ),
+    "surface with a pole": (lambda: ImplicitShape(1 / X - 1), "the left side is zoo"),
     "symbol of a surface": (
-        lambda: Implicit(X**2 + Y**2 + bulge * Z**2 - 1),
+        lambda: ImplicitShape(X**2 + Y**2 + bulge * Z**2 - 1),
         "bulge is not known; it may use x, y, z and the parameters of the shape",
     ),
     "parameter of a surface": (
-        lambda: Implicit(X**2 + Y**2 + bulge * Z**2 - 1, {bulge: np.nan}),
+        lambda: ImplicitShape(X**2 + Y**2 + bulge * Z**2 - 1, {bulge: np.nan}),
         "parameter bulge = nan: it must be a finite number",
     ),
 }
@@ -422,11 +425,11 @@ def test_profile_may_be_rounded():
     """Decimals do not cancel to the last digit."""
     big = 1e6
     chi_2 = sp.Float(-big) * U + sp.Float("1e-7")
-    assert Revolution.from_profile(sp.Float(-big), chi_2).support.has(U)
+    assert ShapeOfRevolution.from_profile(sp.Float(-big), chi_2).support.has(U)
 
 
 def test_parameters_carry_the_numbers():
-    shape = Revolution(1 + bulge * U**2, {bulge: 0.1}, centre=(0.0, 0.0, 0.2))
+    shape = ShapeOfRevolution(1 + bulge * U**2, {bulge: 0.1}, centre=(0.0, 0.0, 0.2))
     system = rolling_system(Body(1.0, (1.0, 1.0, 1.0), shape))
     assert system.defaults[bulge] == 0.1
     assert [system.defaults[s] for s in Vector("c").symbols] == [0.0, 0.0, 0.2]
@@ -446,19 +449,19 @@ def test_quartic_body_is_convex():
 def test_symbols_are_known_by_their_names() -> None:
     """A symbol without real=True is meant as the one of this name."""
     loose, a = sp.Symbol("gamma_3"), sp.Symbol("a")
-    shape = Revolution(1 + a * loose / 10, ((a, 0.5),))
-    assert shape == Revolution(
-        1 + real_symbol("a") * real_symbol("gamma_3") / 10, ((real_symbol("a"), 0.5),)
+    shape = ShapeOfRevolution(1 + a * loose / 10, {a: 0.5})
+    assert shape == ShapeOfRevolution(
+        1 + real_symbol("a") * real_symbol("gamma_3") / 10, {real_symbol("a"): 0.5}
     )
-    assert Revolution.from_profile(sp.S(-1), -loose).support == 1
+    assert ShapeOfRevolution.from_profile(sp.S(-1), -loose).support == 1
     x, y, z = sp.symbols("x y z")
-    assert Implicit(x**2 + y**2 + a * z**2 - 1, ((a, 2.0),)).surface.free_symbols == {
-        *Implicit.coordinates,
+    assert ImplicitShape(x**2 + y**2 + a * z**2 - 1, {a: 2.0}).surface.free_symbols == {
+        *ImplicitShape.coordinates,
         real_symbol("a"),
     }
     body = Body(1.0, (1.0, 1.5, 2.1), Ball(1.0))
     loaded = [
-        rolling_system(body, Plane(), "marble", Forces(0.0, potential, ((b, 2.0),)))
+        rolling_system(body, Plane(), "marble", Forces(0.0, potential, {b: 2.0}))
         for potential, b in (
             (a * loose**2, a),
             (real_symbol("a") * real_symbol("gamma_3") ** 2, real_symbol("a")),
@@ -470,4 +473,4 @@ def test_symbols_are_known_by_their_names() -> None:
 @pytest.mark.parametrize("formula", ["x**2 + y**2 - z**2 - 1", "x**2 + y**2 - 1", "z + x**2 - 1"])
 def test_an_open_surface_is_no_body(formula: str) -> None:
     with pytest.raises(InputError, match="it is not closed; in the direction "):
-        Implicit(sp.sympify(formula))
+        ImplicitShape(sp.sympify(formula))

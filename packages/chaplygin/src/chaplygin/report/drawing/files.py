@@ -91,6 +91,7 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
@@ -98,9 +99,7 @@ def save(figure: Figure, path: str | FilePath) -> FilePath:
     >>> from pathlib import Path
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
-    ...     path = ch.report.figures.save(
-    ...         ch.report.figures.drift(dataset), Path(folder, "drift.png")
-    ...     )
+    ...     path = report.figures.save(report.figures.drift(dataset), Path(folder, "drift.png"))
     ...     print(path.name, path.stat().st_size > 1000)
     drift.png True
     """
@@ -143,7 +142,8 @@ def svg_file(text: str) -> str:
     Examples
     --------
     >>> import chaplygin as ch
-    >>> "<svg" in ch.report.figures.svg_file("<svg></svg>")
+    >>> from chaplygin import report
+    >>> "<svg" in report.figures.svg_file("<svg></svg>")
     True
     """
     return f"{_PROLOG}{text}\n"
@@ -268,14 +268,15 @@ def page_svgs(
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figures = {"drift": ch.report.figures.drift(dataset)}
-    >>> svgs = {name: ch.report.figures.svg_text(figure) for name, figure in figures.items()}
-    >>> pairs, letters = ch.report.figures.page_svgs(figures, svgs)
-    >>> sorted(pairs), "<svg" in letters, "<svg" in ch.report.figures.page_svg(figures["drift"])
+    >>> figures = {"drift": report.figures.drift(dataset)}
+    >>> svgs = {name: report.figures.svg_text(figure) for name, figure in figures.items()}
+    >>> pairs, letters = report.figures.page_svgs(figures, svgs)
+    >>> sorted(pairs), "<svg" in letters, "<svg" in report.figures.page_svg(figures["drift"])
     (['drift'], True, True)
     """
     texts: dict[str, str] = {}

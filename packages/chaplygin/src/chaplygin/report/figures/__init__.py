@@ -102,11 +102,12 @@ def all_figures(
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> sorted(ch.report.figures.all_figures(dataset))
+    >>> sorted(report.figures.all_figures(dataset))
     ['angular_velocity', 'attitude', 'drift', 'normal_force', 'normal_on_sphere']
     """
     possible = {
@@ -166,11 +167,12 @@ def state_figures(
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> sorted(ch.report.figures.state_figures(dataset, ["M", "gamma"]))
+    >>> sorted(report.figures.state_figures(dataset, ["M", "gamma"]))
     ['drift', 'state']
     """
     figures = {"state": state(dataset, names)}

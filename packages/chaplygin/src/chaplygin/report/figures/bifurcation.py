@@ -61,9 +61,10 @@ def draw_bifurcation_diagram(diagram: Diagram, mark: tuple[float, float] | None 
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> import nonholonomic
     >>> diagram = nonholonomic.closed_form.bifurcation_diagram("veselova")
-    >>> figure = ch.report.figures.bifurcation_diagram(diagram)
+    >>> figure = report.figures.bifurcation_diagram(diagram)
     >>> len(figure.axes)
     1
     """

@@ -48,9 +48,11 @@ def closed_form(title: str, form: ClosedForm) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> import nonholonomic
+    >>> from chaplygin import report
     >>> veselova = ch.from_catalogue("veselova")
-    >>> solution = ch.solve(veselova, ch.CATALOGUE["veselova"].start.values)
-    >>> figure = ch.report.figures.closed_form(veselova.title, solution.form)
+    >>> solution = ch.solve(veselova, nonholonomic.CATALOGUE["veselova"].start.values)
+    >>> figure = report.figures.closed_form(veselova.title, solution.form)
     >>> len(figure.axes)
     2
     """

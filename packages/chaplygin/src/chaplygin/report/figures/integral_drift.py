@@ -44,11 +44,12 @@ def drift(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.drift(dataset)
+    >>> figure = report.figures.drift(dataset)
     >>> [axes.get_xlabel() for axes in figure.axes]
     ['time  $t$  (s)']
     """
@@ -131,11 +132,12 @@ def relative_drift(dataset: xr.Dataset, name: str) -> FloatArray:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> float(abs(ch.report.figures.relative_drift(dataset, "energy")).max()) < 1e-12
+    >>> float(abs(report.figures.relative_drift(dataset, "energy")).max()) < 1e-12
     True
     """
     if name not in dataset:

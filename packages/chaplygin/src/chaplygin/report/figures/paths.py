@@ -71,12 +71,13 @@ def contact_path(dataset: xr.Dataset, surface: Ground) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
     >>> from chaplygin.report.drawing.shading import PlaneGround
-    >>> figure = ch.report.figures.contact_path(dataset, PlaneGround())
+    >>> figure = report.figures.contact_path(dataset, PlaneGround())
     >>> [axes.get_xlabel() for axes in figure.axes]
     ['$x$  (m)', '']
     """
@@ -189,11 +190,12 @@ def normal_on_sphere(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.normal_on_sphere(dataset)
+    >>> figure = report.figures.normal_on_sphere(dataset)
     >>> len(figure.axes)
     2
     """

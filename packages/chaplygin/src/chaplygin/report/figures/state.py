@@ -70,11 +70,12 @@ def state(dataset: xr.Dataset, names: Sequence[str]) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.state(dataset, ["M", "gamma"])
+    >>> figure = report.figures.state(dataset, ["M", "gamma"])
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['$\\mathbf{M}$  (kg m$^{2}$/s)', '$\\boldsymbol{\\gamma}$']
     """

@@ -52,11 +52,12 @@ def angular_velocity(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.angular_velocity(dataset)
+    >>> figure = report.figures.angular_velocity(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['angular velocity  (rad/s)']
     """
@@ -114,11 +115,12 @@ def normal_force(dataset: xr.Dataset, weight: float | None = None) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.normal_force(dataset, weight=9.81)
+    >>> figure = report.figures.normal_force(dataset, weight=9.81)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['normal force  (N)']
     """
@@ -192,11 +194,12 @@ def friction_ratio(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.friction_ratio(dataset)
+    >>> figure = report.figures.friction_ratio(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['friction over normal force']
     """
@@ -255,11 +258,12 @@ def attitude(dataset: xr.Dataset) -> Figure:
     Examples
     --------
     >>> import chaplygin as ch
+    >>> from chaplygin import report
     >>> study = ch.Study.from_experiment(
     ...     ch.parse_experiment('system = {name = "heavy-disk"}', overrides=["run.until=0.2"])
     ... )
     >>> dataset = study.trajectory().to_dataset()
-    >>> figure = ch.report.figures.attitude(dataset)
+    >>> figure = report.figures.attitude(dataset)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['angle  (rad)']
     """

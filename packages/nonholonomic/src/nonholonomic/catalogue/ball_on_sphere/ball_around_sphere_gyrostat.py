@@ -31,7 +31,8 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     if not (body.principal and any(body.gyrostat)):
         return ()
     measure = Measure("measure", {DET_IQ: -HALF}, "invariant measure ρ d³M d³γ", source=SOURCE)
-    if bruns_factor(field.potential) == K and not dict(field.values)[K]:
+    values = {p.symbol: p.default for p in field.parameters}
+    if bruns_factor(field.potential) == K and not values[K]:
         return (MOMENTUM, measure)
     return (measure,)
 

@@ -45,7 +45,7 @@ def _ball(numbers: Numbers) -> RollingBall:
         surface=EllipsoidSurface((numbers["a_1"], numbers["a_2"], numbers["a_3"]), side="inside"),
         carrier="centre",
         potential=SPRING,
-        numbers=(replace(SPRING_STIFFNESS, default=numbers["kappa"]),),
+        parameters=(replace(SPRING_STIFFNESS, default=numbers["kappa"]),),
     )
 
 

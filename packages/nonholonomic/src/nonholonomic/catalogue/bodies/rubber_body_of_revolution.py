@@ -14,7 +14,7 @@ from flowlanes.system.vectors import dot, norm_squared, real_symbol, vectors
 
 from ...mechanics.rolling.body import AnyBody, Body
 from ...mechanics.rolling.equations import Forces, RollingBody
-from ...mechanics.shapes.revolution import Revolution
+from ...mechanics.shapes.revolution import ShapeOfRevolution
 from ...mechanics.shapes.surfaces import Plane
 from ..catalogue_entry import laws_for
 from .rubber_profile import HEIGHT, POTENTIAL, from_support, profile_system
@@ -164,7 +164,7 @@ def _with_all_laws(chi: tuple[sp.Expr, sp.Expr], potential: sp.Expr = POTENTIAL)
 
 def rolling_equations(gravity: float = 0.0) -> System:
     """The body from the equations of any rolling body, with I_2 as a symbol."""
-    body = Body(1.0, (0.3, 0.3, 0.2), Revolution(1 + g_3**2 / 4))
+    body = Body(1.0, (0.3, 0.3, 0.2), ShapeOfRevolution(1 + g_3**2 / 4))
     field = Forces(gravity, POTENTIAL)
     system = RollingBody(body, contact="rubber", field=field).system("rubber-body-of-revolution")
     profile = {

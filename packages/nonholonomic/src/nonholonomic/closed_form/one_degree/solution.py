@@ -1,7 +1,7 @@
 """Motions in one degree of freedom: state, angles and path from a quadrature.
 
 Angles and the path are quadratures along x(t), assembled by the same formula in balls and arrays; a
-:class:`.frames.Frame` computes the state from them.
+:class:`.frames.MotionFrame` computes the state from them.
 """
 
 from __future__ import annotations

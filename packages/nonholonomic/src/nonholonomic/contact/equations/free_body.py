@@ -275,9 +275,7 @@ def _applied_forces(
         )
     if field.potential == 0:
         return applied
-    parameters = applied.parameters + tuple(
-        Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
-    )
+    parameters = applied.parameters + field.parameters
     inertia = Diagonal("I") if body.principal else Symmetric("I")
     known = (*body_parameters(body, inertia), *kinematics.parameters, *parameters)
     value = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in known)))

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import cast
 
 import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.arguments import Parameters, Quantity, arguments_checked
+from flowlanes.arguments import FormulaParameters, Quantity, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.parsing import RESERVED_WORDS, parse
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import Vector, norm_squared, real_symbol
 
+from ...mechanics.formula_parameters import formula_parameters
 from .friction_law import FrictionLaw, Reaction
 from .modes import Mode
 from .symbols import (
@@ -62,8 +62,9 @@ class UserFriction(FrictionLaw):
         the slip.
     mu_static : float, optional
         Coefficient of static friction, where it exceeds the limit of `force` at zero slip.
-    values : mapping of str to float, optional
-        Values of further names in the formulas.
+    parameters : mapping of str or Symbol to float
+        Further names in the formulas, with their values.  The law has them with its coefficient of
+        static friction, as parameters of its equations.
 
     Raises
     ------
@@ -77,7 +78,7 @@ class UserFriction(FrictionLaw):
 
     >>> from nonholonomic.contact.friction.user_friction import UserFriction
     >>> law = UserFriction(
-    ...     "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, values={"mu": 0.2, "v": 0.1}
+    ...     "mu*(1 + 0.3*exp(-slip_speed/v))", mu_static=0.3, parameters={"mu": 0.2, "v": 0.1}
     ... )
     >>> law.description
     'friction mu*(1 + 3*exp(-slip_speed/v)/10), mu_static = 0.3'
@@ -88,15 +89,15 @@ class UserFriction(FrictionLaw):
     force: Quantity
     couple: Quantity = sp.S.Zero
     mu_static: float | None = None
-    values: Parameters = field(default=None, compare=False)
-    _values: tuple[tuple[str, float], ...] = field(init=False, repr=False)
+    parameters: FormulaParameters = ()
 
     kind = "user"
     depends_on_speed = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "_values", _checked_values(self.values))
-        own = {name: _parameter(name) for name, _ in self._values}
+        named = _named(self.parameters)
+        object.__setattr__(self, "parameters", named)
+        own = {_name(p): p.symbol for p in named}
         for key, variables in VARIABLES.items():
             known = {**variables, **own}
             object.__setattr__(self, key, _formula(key, getattr(self, key), known))
@@ -111,12 +112,15 @@ class UserFriction(FrictionLaw):
                 f"mu_static {self.mu_static}: it must be a finite number and at least the force "
                 f"at zero slip, {least}"
             )
+        if self.static_mu is not None:
+            static = Parameter(_static, "coefficient of static friction", self.static_mu, "1")
+            object.__setattr__(self, "parameters", (*named, static))
 
     # --- numbers ---------------------------------------------------------------------------
 
     @cached_property
     def _numbers(self) -> dict[sp.Symbol, sp.Float]:
-        return {_parameter(name): sp.Float(value) for name, value in self._values}
+        return {p.symbol: sp.Float(p.default) for p in _named(self.parameters)}
 
     def _limit_at_rest(self, key: str, at_rest: sp.Symbol, what: str) -> float:
         """The unique limit of a formula where a variable is zero."""
@@ -192,24 +196,12 @@ class UserFriction(FrictionLaw):
     @property
     def description(self) -> str:
         """A description of the law."""
-        plain = {_parameter(name): sp.Symbol(name) for name, _ in self._values}
+        plain = {p.symbol: sp.Symbol(_name(p)) for p in _named(self.parameters)}
         plain[N] = sp.Symbol("normal_force")
         text = f"friction {self.force.xreplace(plain)}"
         if self.couple != 0:
             text += f", couple {self.couple.xreplace(plain)} m"
         return text if self.mu_static is None else f"{text}, mu_static = {self.mu_static:g}"
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The additional names in the formulas, and the coefficient of static friction."""
-        named = tuple(
-            Parameter(symbol, "parameter of the law of friction", float(value))
-            for symbol, value in self._numbers.items()
-        )
-        if self.static_mu is None:
-            return named
-        static = Parameter(_static, "coefficient of static friction", self.static_mu, "1")
-        return (*named, static)
 
     def reaction_along(self, direction: Vector, speed: sp.Expr, mode: Mode) -> Reaction:
         """Force and couple of a slip with a direction and a speed; smooth from rest on."""
@@ -294,9 +286,13 @@ def _is_smooth(formula: sp.Expr) -> bool:
     return ratio is not None and bool(ratio.is_polynomial(slip_speed))
 
 
-def _parameter(name: str) -> sp.Symbol:
-    """The symbol for a name chosen by the user, distinct from those of the equations of motion."""
-    return real_symbol(f"user_{name}")
+#: Before a name chosen by the user, to keep it apart from those of the equations of motion.
+_PREFIX = "user_"
+
+
+def _name(parameter: Parameter) -> str:
+    """The name of a parameter in the formulas."""
+    return str(parameter.symbol).removeprefix(_PREFIX)
 
 
 def _formula(key: str, text: Quantity, symbols: Mapping[str, sp.Symbol]) -> sp.Expr:
@@ -318,14 +314,17 @@ def _formula(key: str, text: Quantity, symbols: Mapping[str, sp.Symbol]) -> sp.E
     return formula
 
 
-def _checked_values(values: Parameters) -> tuple[tuple[str, float], ...]:
-    given = {str(name): float(cast(float, value)) for name, value in (values or {}).items()}
-    for name, value in given.items():
+def _named(given: FormulaParameters) -> tuple[Parameter, ...]:
+    """The parameters with the symbols of the law, without the coefficient of static friction."""
+    declared = formula_parameters(given, "parameter of the law of friction")
+    named = [p for p in declared if p.symbol != _static]
+    for name in map(_name, named):
         if not name.isidentifier() or name in RESERVED_WORDS or name in VARIABLES["force"]:
             raise InputError(
-                f"values: {name!r} is no free name; a name is a letter followed by letters, digits "
-                "and underscores, and neither a function nor a variable"
+                f"parameter {name!r}: this is no free name; a name is a letter followed by "
+                "letters, digits and underscores, and neither a function nor a variable"
             )
-        if not math.isfinite(value):
-            raise InputError(f"values: {name} = {value}: it must be a finite number")
-    return tuple(given.items())
+    return tuple(
+        replace(p, symbol=real_symbol(f"{_PREFIX}{_name(p)}"), default=float(p.default))
+        for p in named
+    )

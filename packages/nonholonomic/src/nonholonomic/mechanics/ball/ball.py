@@ -9,7 +9,7 @@ from functools import cached_property
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.arguments import arguments_checked
+from flowlanes.arguments import FormulaParameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.laws import Integral, Law, Measure
 from flowlanes.system.named_formulas import by_name, scalars
@@ -17,6 +17,7 @@ from flowlanes.system.system import Parameter, System
 from flowlanes.system.vector_operators import gradient
 from flowlanes.system.vectors import constant, norm_squared, real_symbol, vectors
 
+from ..formula_parameters import formula_parameters
 from ..rolling.body import check_mass
 from ..rolling.inertia import check_inertia
 from .equations import (
@@ -54,9 +55,9 @@ class RollingBall:
     direction : 3 floats
         Direction of gravity in space axes; it need not be a unit vector.
     potential : sympy.Expr
-        U in ``R_1``, ``R_2``, ``R_3``, the place of the centre; it may use m and `numbers`.
-    numbers : tuple of Parameter
-        The parameters in `potential`.
+        U in ``R_1``, ``R_2``, ``R_3``, the place of the centre; it may use m and `parameters`.
+    parameters : mapping of str or Symbol to float, or sequence of Parameter
+        Further symbols in `potential`, with their values.
 
     Raises
     ------
@@ -85,9 +86,11 @@ class RollingBall:
     gravity: float = 0.0
     direction: tuple[float, float, float] = (0.0, 0.0, -1.0)
     potential: sp.Expr = sp.S.Zero
-    numbers: tuple[Parameter, ...] = ()
+    parameters: FormulaParameters = ()
 
     def __post_init__(self) -> None:
+        declared = formula_parameters(self.parameters, "number in the potential")
+        object.__setattr__(self, "parameters", declared)
         check_mass(self.mass)
         check_inertia((self.inertia,) * 3)
         if not (math.isfinite(self.radius) and self.radius > 0):
@@ -98,7 +101,7 @@ class RollingBall:
             raise InputError(
                 f"direction {self.direction}: it must be three finite numbers, not all zero"
             )
-        known = (*R.symbols, m, *(number.symbol for number in self.numbers))
+        known = (*R.symbols, m, *(p.symbol for p in self.parameters))
         object.__setattr__(self, "potential", by_name(self.potential, known))
         limit = self.surface.widest
         if self.carrier == "support" and limit is not None and self.radius >= limit:
@@ -130,12 +133,12 @@ class RollingBall:
         return equation
 
     @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """All parameters of the equations."""
+    def all_parameters(self) -> tuple[Parameter, ...]:
+        """The parameters of ball, surface, potential and gravity."""
         parameters = [
             *ball_parameters(self.mass, self.inertia, self.radius),
             *self.surface.parameters,
-            *self.numbers,
+            *self.parameters,
         ]
         if self.gravity:
             parameters.append(
@@ -192,7 +195,9 @@ class RollingBall:
         of the normal force is not watched.
         """
         kinematics = self.kinematics
-        system = ball_equations(self.contact, kinematics, self.force, self.parameters, name, title)
+        system = ball_equations(
+            self.contact, kinematics, self.force, self.all_parameters, name, title
+        )
         watched = tuple(item for item in system.guards if self.has_forces or not item.lift_off)
         surface, symbols = kinematics.surface, kinematics.surface.free_symbols
         on_surface = Integral("surface", surface, "the ball stays on its surface", source="(2.7)")

@@ -167,7 +167,7 @@ def _nearest(surface: _Surface, point: list[mpmath.mpf], name: str) -> list[mpma
 
 def _check_domain(ball: RollingBall, point: list[mpmath.mpf], name: str) -> None:
     for guard in ball.surface.domain(x.symbols):
-        values = {p.symbol: mpmath.mpf(p.default) for p in ball.parameters}
+        values = {p.symbol: mpmath.mpf(p.default) for p in ball.all_parameters}
         known = values | dict(zip(x.symbols, point, strict=True))
         if not Multiprecision(known)(guard.value) > 0:
             raise InputError(f"{name}: {_point_text(point)} is outside the domain; {guard.message}")

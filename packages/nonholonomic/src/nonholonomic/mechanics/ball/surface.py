@@ -15,12 +15,13 @@ from typing import Literal, TypeAlias
 
 import sympy as sp
 
-from flowlanes.arguments import arguments_checked
+from flowlanes.arguments import FormulaParameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import by_name
 from flowlanes.system.system import Guard, Parameter
 from flowlanes.system.vectors import real_symbol
 
+from ..formula_parameters import formula_parameters
 from ..shapes.kinds import Registered
 
 Axis = Literal["x", "y", "z"]
@@ -373,8 +374,8 @@ class ImplicitSurface(SmoothSurface):
     Parameters
     ----------
     formula : sympy.Expr
-        f in the symbols ``x``, ``y``, ``z`` and those of `numbers`.
-    numbers : tuple of Parameter
+        f in the symbols ``x``, ``y``, ``z`` and those of `parameters`.
+    parameters : mapping of str or Symbol to float, or sequence of Parameter
 
     Examples
     --------
@@ -385,19 +386,16 @@ class ImplicitSurface(SmoothSurface):
     """
 
     formula: sp.Expr
-    numbers: tuple[Parameter, ...] = ()
+    parameters: FormulaParameters = ()
 
     coordinates = tuple(real_symbol(name) for name in "xyz")
 
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The parameters of the formula."""
-        for number in self.numbers:
-            _finite(str(number.symbol), (number.default,))
-        return self.numbers
+    def __post_init__(self) -> None:
+        declared = formula_parameters(self.parameters, "number in the surface")
+        object.__setattr__(self, "parameters", declared)
 
     def level(self, point: Point, offset: sp.Expr) -> sp.Expr | None:
-        """The given formula; None for a nonzero offset."""
-        known = (*self.coordinates, *(number.symbol for number in self.numbers))
+        """The formula; no simple equation elsewhere."""
+        known = (*self.coordinates, *(p.symbol for p in self.parameters))
         replaced = dict(zip(self.coordinates, point, strict=True))
         return by_name(self.formula, known).xreplace(replaced) if offset == 0 else None

@@ -25,7 +25,7 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.arguments import arguments_checked
+from flowlanes.arguments import FormulaParameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import by_name
 from flowlanes.system.system import Parameter, System
@@ -41,7 +41,7 @@ from flowlanes.system.vectors import (
     zero,
 )
 
-from ..shapes.shape_base import check_values, real_values
+from ..formula_parameters import formula_parameters
 from ..shapes.surfaces import Plane, Surface
 from .body import AnyBody, body_parameters, equivalent_body
 from .contact import contact as contact_of
@@ -64,9 +64,9 @@ class Forces:
         Acceleration g along −z of space (m/s²).
     potential : sympy.Expr, optional
         U(γ), in J, of ``gamma_1``, ``gamma_2``, ``gamma_3``; it may also use the body's parameters
-        ``I_1`` … and ``m``.  It acts as a pure torque, so that it does not enter the contact force.
-    values : mapping of Symbol to float
-        Values of further symbols in `potential`.
+        ``I_1`` … and ``m``.  It acts as a couple, so that it does not enter the contact force.
+    parameters : mapping of str or Symbol to float, or sequence of Parameter
+        Further symbols in `potential`, with their values.
 
     Raises
     ------
@@ -79,7 +79,7 @@ class Forces:
     >>> import nonholonomic
     >>> import sympy as sp
     >>> gamma_3, k = sp.symbols("gamma_3 k")
-    >>> spring = nonholonomic.Forces(potential=k * gamma_3**2 / 2, values={k: 0.1})
+    >>> spring = nonholonomic.Forces(potential=k * gamma_3**2 / 2, parameters={k: 0.1})
     >>> ball = nonholonomic.rolling_system(
     ...     nonholonomic.Body(1.0, (0.4, 0.5, 0.6), nonholonomic.Ball(1.0)), field=spring
     ... )
@@ -89,11 +89,11 @@ class Forces:
 
     gravity: float = 0.0
     potential: sp.Expr = sp.S.Zero
-    values: tuple[tuple[sp.Symbol, float], ...] = ()
+    parameters: FormulaParameters = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", real_values(self.values))
-        check_values(self.values)
+        declared = formula_parameters(self.parameters, "parameter of the potential", "SI")
+        object.__setattr__(self, "parameters", declared)
         if not (np.isfinite(self.gravity) and self.gravity >= 0):
             raise InputError(f"gravity {self.gravity}: it must be finite and not negative")
 
@@ -231,9 +231,7 @@ def _balance(whole: AnyBody, surface: Surface, field: Forces) -> Balance:
         force = -m * g * vertical
         energy = m * g * surface.height(r, kinematics.height)
     if field.potential != 0:
-        parameters += tuple(
-            Parameter(s, "parameter of the potential", value, "SI") for s, value in field.values
-        )
+        parameters += field.parameters
         potential = by_name(field.potential, (*gamma.symbols, *(p.symbol for p in parameters)))
         _check_potential(potential, parameters)
         definitions += ((U, potential),)

@@ -141,5 +141,4 @@ def _parameters(
     parameters += [p for fluid in rolling.body.fluids for p in fluid.parameters]
     if field.gravity:
         parameters.append(Parameter(g, "acceleration of gravity", field.gravity, "m/s^2"))
-    parameters += [Parameter(s, "parameter of the potential", x, "SI") for s, x in field.values]
-    return (*parameters, *of_contact)
+    return (*parameters, *field.parameters, *of_contact)

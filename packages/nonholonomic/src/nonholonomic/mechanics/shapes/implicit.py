@@ -13,17 +13,17 @@ import numpy as np
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-from flowlanes.arguments import arguments_checked
+from flowlanes.arguments import FormulaParameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.named_formulas import Pairs, by_name
-from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import Symmetric, Vector, constant, dot, norm_squared, real_symbol
 
+from ..formula_parameters import formula_parameters
 from .gauss_map import GaussMap, contact_points_of_normals
 from .kinematics import Contact, LevelSurface, gamma, r, rdot
 from .rays import require_closed
-from .shape_base import Shape, check_centre, check_values, convexity, real_values, require_symbols
+from .shape_base import Shape, check_centre, convexity, require_symbols
 from .surfaces import Surface
 
 #: Names in the equations of an implicit body: the contact point from the geometric centre, and
@@ -33,7 +33,7 @@ IMPLICIT_POINT, IMPLICIT_GRADIENT, IMPLICIT_HESSIAN = Vector("x"), Vector("nu"),
 
 @arguments_checked
 @dataclass(frozen=True)
-class Implicit(Shape):
+class ImplicitShape(Shape):
     """Any smooth convex body f = 0.
 
     Parameters
@@ -41,8 +41,8 @@ class Implicit(Shape):
     surface : sympy.Expr
         f in the symbols ``x``, ``y``, ``z`` (m; body axes from the geometric centre),
         negative inside.
-    values : mapping of Symbol to float
-        Values of further symbols in `surface`.
+    parameters : mapping of str or Symbol to float, or sequence of Parameter
+        Further symbols in `surface`, with their values.
     centre : 3 floats
         Geometric centre relative to the centre of mass (m, body axes).
 
@@ -56,23 +56,23 @@ class Implicit(Shape):
     >>> import nonholonomic
     >>> import sympy as sp
     >>> x, y, z = sp.symbols("x y z")
-    >>> cushion = nonholonomic.Implicit(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
+    >>> cushion = nonholonomic.ImplicitShape(x**4 + y**4 + z**4 + x**2 + y**2 + z**2 - 1)
     >>> nonholonomic.rolling_system(nonholonomic.Body(1.0, (0.2, 0.2, 0.2), cushion)).state
     (M, r)
     """
 
     surface: sp.Expr
-    values: tuple[tuple[sp.Symbol, float], ...] = ()
+    parameters: FormulaParameters = ()
 
     kind = "implicit"
     by_equation = True
     coordinates = (real_symbol("x"), real_symbol("y"), real_symbol("z"))
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", real_values(self.values))
-        known = (*self.coordinates, *dict(self.values))
+        declared = formula_parameters(self.parameters, "parameter of the surface")
+        object.__setattr__(self, "parameters", declared)
+        known = (*self.coordinates, *self._values)
         object.__setattr__(self, "surface", by_name(self.surface, known))
-        check_values(self.values)
         check_centre(self.centre)
         require_symbols(
             f"surface {self.surface} = 0",
@@ -80,21 +80,18 @@ class Implicit(Shape):
             set(known),
             "x, y, z",
         )
-        inside = sp.N(
-            self.surface.subs({**dict(self.values), **dict.fromkeys(self.coordinates, 0)})
-        )
+        inside = sp.N(self.surface.subs({**self._values, **dict.fromkeys(self.coordinates, 0)}))
         if not (inside.is_real and inside < 0):
             raise InputError(
                 f"surface {self.surface} = 0: the left side is {inside} at the geometric centre "
                 "x = y = z = 0, and must be negative there (negative inside, zero on the surface)"
             )
-        level = sp.lambdify(self.coordinates, self.surface.subs(dict(self.values)), "numpy")
+        level = sp.lambdify(self.coordinates, self.surface.subs(self._values), "numpy")
         require_closed(f"surface {self.surface} = 0", level)
 
     @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """The parameters of f."""
-        return tuple(Parameter(s, "parameter of the surface", value) for s, value in self.values)
+    def _values(self) -> dict[sp.Symbol, float]:
+        return {p.symbol: p.default for p in self.parameters}
 
     @property
     def title(self) -> str:
@@ -174,7 +171,7 @@ class Implicit(Shape):
     def _points(self) -> Callable[[FloatArray], FloatArray]:
         # by Newton's method
         centre = np.array(self.centre)
-        f = self.surface.subs(dict(self.values))
+        f = self.surface.subs(self._values)
         return lambda gamma: centre + contact_points_of_normals(f, self.coordinates, gamma)
 
     @property
@@ -183,4 +180,4 @@ class Implicit(Shape):
         if not any(self.centre):
             return False
         at = dict(zip(self.coordinates, -np.array(self.centre), strict=True))
-        return bool(self.surface.subs({**dict(self.values), **at}) > 0)
+        return bool(self.surface.subs({**self._values, **at}) > 0)

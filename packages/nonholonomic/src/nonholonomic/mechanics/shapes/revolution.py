@@ -3,42 +3,41 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
-from flowlanes.arguments import arguments_checked
+from flowlanes.arguments import FormulaParameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.named_formulas import by_name
-from flowlanes.system.system import Parameter
 from flowlanes.system.vector_operators import unit_vector
 from flowlanes.system.vectors import dot, real_symbol
 
+from ..formula_parameters import formula_parameters
 from .gauss_map import GaussMap
 from .kinematics import gamma
 from .shape_base import (
     AxialSymmetry,
     SupportShape,
     check_centre,
-    check_values,
     convexity,
-    real_values,
     require_symbols,
 )
+
+_MEANING = "parameter of the profile"
 
 
 @arguments_checked
 @dataclass(frozen=True)
-class Revolution(SupportShape):
+class ShapeOfRevolution(SupportShape):
     """A convex body of revolution about body axis 3.
 
     Parameters
     ----------
     support : sympy.Expr
         Height p(γ₃) of the geometric centre above the plane (m), in the symbol ``gamma_3``.
-    values : mapping of Symbol to float
-        Values of further symbols in `support`.
+    parameters : mapping of str or Symbol to float, or sequence of Parameter
+        Further symbols in `support`, with their values.
     centre : 3 floats
         Geometric centre relative to the centre of mass (m, body axes).
 
@@ -49,7 +48,7 @@ class Revolution(SupportShape):
 
     See Also
     --------
-    Revolution.from_profile : the same from the functions χ₁, χ₂ of §5.
+    ShapeOfRevolution.from_profile : the same from the functions χ₁, χ₂ of §5.
 
     Examples
     --------
@@ -57,7 +56,9 @@ class Revolution(SupportShape):
     >>> import nonholonomic
     >>> import sympy as sp
     >>> u, a, b = sp.symbols("gamma_3 a b")
-    >>> egg = nonholonomic.Revolution(sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03})
+    >>> egg = nonholonomic.ShapeOfRevolution(
+    ...     sp.sqrt(a**2 * (1 - u**2) + b**2 * u**2), {a: 0.02, b: 0.03}
+    ... )
     >>> system = nonholonomic.rolling_system(
     ...     nonholonomic.Body(0.05, (8e-6, 8e-6, 6e-6), egg), contact="rubber"
     ... )
@@ -66,15 +67,15 @@ class Revolution(SupportShape):
     """
 
     support: sp.Expr
-    values: tuple[tuple[sp.Symbol, float], ...] = ()
+    parameters: FormulaParameters = ()
 
     kind = "revolution"
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", real_values(self.values))
-        known = (gamma.symbols[2], *dict(self.values))
+        declared = formula_parameters(self.parameters, _MEANING)
+        object.__setattr__(self, "parameters", declared)
+        known = (gamma.symbols[2], *self._values)
         object.__setattr__(self, "support", by_name(self.support, known))
-        check_values(self.values)
         check_centre(self.centre)
         require_symbols(
             f"support function {self.support}",
@@ -96,9 +97,9 @@ class Revolution(SupportShape):
         cls,
         chi_1: sp.Expr,
         chi_2: sp.Expr,
-        values: Mapping[sp.Symbol, float] | None = None,
+        parameters: FormulaParameters = (),
         centre: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    ) -> Revolution:
+    ) -> ShapeOfRevolution:
         """The body with r − c = (χ₁γ₁, χ₁γ₂, χ₂), χ₁ and χ₂ in ``gamma_3`` (§5).
 
         Raises
@@ -108,7 +109,8 @@ class Revolution(SupportShape):
             −γ, that is, if −γ₃χ₁ + (1 − γ₃²)χ₁′ + γ₃χ₂′ is not zero.
         """
         u = gamma.symbols[2]
-        table = dict(real_values(values or {}))
+        declared = formula_parameters(parameters, _MEANING)
+        table = {p.symbol: p.default for p in declared}
         chi_1, chi_2 = (by_name(chi, (u, *table)) for chi in (chi_1, chi_2))
         require_symbols(
             f"profile chi_1 = {chi_1}, chi_2 = {chi_2}",
@@ -126,8 +128,11 @@ class Revolution(SupportShape):
                     f"since -gamma_3 chi_1 + (1 - gamma_3^2) chi_1' + gamma_3 chi_2' is {number} "
                     f"at gamma_3 = {cosine} and must be zero"
                 )
-        # p = −(r − c, γ), as the contact lies below the centre.
-        return cls(-(chi_1 * (1 - u**2) + chi_2 * u), tuple(table.items()), centre=centre)
+        return cls(-(chi_1 * (1 - u**2) + chi_2 * u), declared, centre=centre)
+
+    @property
+    def _values(self) -> dict[sp.Symbol, float]:
+        return {p.symbol: p.default for p in self.parameters}
 
     @property
     def title(self) -> str:
@@ -140,7 +145,7 @@ class Revolution(SupportShape):
         return AxialSymmetry((), self.support)
 
     def _value(self, expression: sp.Expr, cosine: float) -> float:
-        number = expression.subs({**dict(self.values), gamma.symbols[2]: cosine})
+        number = expression.subs({**self._values, gamma.symbols[2]: cosine})
         return float(sp.N(number)) if number.is_real is not False else math.nan
 
     def gauss(self) -> GaussMap:
@@ -151,9 +156,7 @@ class Revolution(SupportShape):
         parallel = p - u * first
         meridian = parallel + (1 - u**2) * second
         return GaussMap(
-            parameters=tuple(
-                Parameter(s, "parameter of the profile", value) for s, value in self.values
-            ),
+            parameters=self.parameters,
             definitions=(
                 (p, self.support),
                 (first, self.support.diff(u)),

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import ClassVar
@@ -23,7 +23,7 @@ from sympy.matrices.expressions import MatrixExpr
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.system import Guard, Parameter
-from flowlanes.system.vectors import Vector, dot, norm_squared, real_symbol, zero
+from flowlanes.system.vectors import Vector, dot, norm_squared, zero
 
 from .gauss_map import GaussMap, points_of_map
 from .kinds import Registered
@@ -53,20 +53,6 @@ def require_positive(shape: str, **lengths: float) -> None:
     for name, value in lengths.items():
         if not (math.isfinite(value) and value > 0):
             raise InputError(f"{name} {value} of the {shape}: it must be a positive finite number")
-
-
-def real_values(
-    values: Iterable[tuple[sp.Symbol, float]] | Mapping[sp.Symbol, float],
-) -> tuple[tuple[sp.Symbol, float], ...]:
-    """Values by symbol, each replaced by the real symbol of the same name."""
-    return tuple((real_symbol(str(symbol)), value) for symbol, value in dict(values).items())
-
-
-def check_values(values: tuple[tuple[sp.Symbol, float], ...]) -> None:
-    """Raise InputError unless every parameter of a formula has a finite value."""
-    for symbol, value in values:
-        if not math.isfinite(value):
-            raise InputError(f"parameter {symbol} = {value}: it must be a finite number")
 
 
 def require_symbols(
@@ -289,7 +275,7 @@ class SupportShape(Shape):
     >>> from nonholonomic.mechanics.shapes.shape_base import SupportShape
     >>> (
     ...     isinstance(nonholonomic.Disk(1.0), SupportShape),
-    ...     isinstance(nonholonomic.Implicit, SupportShape),
+    ...     isinstance(nonholonomic.ImplicitShape, SupportShape),
     ... )
     (True, False)
     """
