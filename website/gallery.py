@@ -17,6 +17,9 @@ PICTURES = ROOT / "docs" / "pictures"
 #: By what the cards can be chosen, and the fields that say it.
 FACETS = {"contact": "contact", "surface": "surface", "class": "classes", "known": "known"}
 
+#: Folders of the pages: systems of the catalogue, then experiments of examples/.
+FOLDERS = ("systems", "experiments")
+
 
 @dataclass(frozen=True)
 class Script:
@@ -64,13 +67,19 @@ def pages(exhibits: list[Exhibit], store: Path, live: Path) -> Iterator[tuple[st
     index = environment.get_template("gallery.md")
     yield (
         "gallery/index.md",
-        index.render(exhibits=exhibits, scripts=found, facets=facets(exhibits), folder=folder),
+        index.render(
+            exhibits=exhibits,
+            scripts=found,
+            facets=facets(exhibits),
+            folder=folder,
+            folders=[kind for kind in FOLDERS if kind in map(folder, exhibits)],
+        ),
     )
 
 
 def folder(exhibit: Exhibit) -> str:
-    """The folder of a page: systems of the catalogue, or experiments of examples/."""
-    return "experiments" if "/" in exhibit.what else "systems"
+    """The folder of a page, one of `FOLDERS`."""
+    return FOLDERS["/" in exhibit.what]
 
 
 def facets(exhibits: Iterable[Exhibit]) -> list[tuple[str, list[str]]]:
