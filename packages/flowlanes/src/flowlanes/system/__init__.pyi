@@ -12,10 +12,12 @@ from .laws import (
     Symmetry as Symmetry,
 )
 from .system import (
+    Conventions as Conventions,
     Guard as Guard,
     Observable as Observable,
     Parameter as Parameter,
     System as System,
+    VariablesByName as VariablesByName,
 )
 from .vector_operators import unit_vector as unit_vector
 from .vectors import (

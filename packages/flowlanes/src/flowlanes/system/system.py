@@ -262,6 +262,12 @@ class Conventions(ABC):
     `flowlanes` itself has `VariablesByName`, the default of every `System`.  A package for some
     kind of systems may have its own: a frozen dataclass of formulas and numbers, so that systems
     can be compared and sent to other processes.
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> issubclass(flowlanes.system.VariablesByName, flowlanes.system.Conventions)
+    True
     """
 
     @property

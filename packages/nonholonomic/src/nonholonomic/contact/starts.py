@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import mpmath
 import numpy as np
 
+from flowlanes.arguments import Finite, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.system.arrays import FloatArray
 
@@ -87,13 +88,14 @@ def clearance(
     return Clearance(float(gamma @ (seen + r)) - radius, gamma, r)
 
 
+@arguments_checked
 def state_in_contact(
     contact: FrictionalContact,
     omega: Sequence[float],
     gamma: Sequence[float],
     slip: Sequence[float] = (0.0, 0.0, 0.0),
     *,
-    heading: float = 0.0,
+    heading: Finite = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
 ) -> FloatArray:
     """The state of a body that touches its support, with given normal, ω and slip.
@@ -152,6 +154,7 @@ def state_in_contact(
     return _assembled_state(contact, attitude, touching - turn @ r, velocity, spin, up, r)
 
 
+@arguments_checked
 def state_in_space(
     contact: FrictionalContact,
     position: Sequence[float],

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import sympy as sp
 
+from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.array_formulas import Formulas
 from flowlanes.system.arrays import FloatArray
@@ -26,6 +27,7 @@ def is_driven(system: System) -> bool:
     return M in system.state and _MOMENTUM.issubset(dict(system.scalar_definitions))
 
 
+@arguments_checked
 def driven_state(
     system: System,
     omega: Sequence[float],

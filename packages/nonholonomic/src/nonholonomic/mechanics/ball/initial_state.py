@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import mpmath
 import sympy as sp
 
+from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.tuple_vectors import dot
@@ -52,6 +53,7 @@ class _SurfacePoint:
         return mean - root, mean + root
 
 
+@arguments_checked
 def ball_state(
     ball: RollingBall, place: Sequence[float], omega: Sequence[float]
 ) -> tuple[mpmath.mpf, ...]:

@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from flowlanes.arguments import Parameters
+from flowlanes.arguments import Finite, Parameters, arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.formulas.multiprecision import Multiprecision
 from flowlanes.system.named_formulas import Pairs, flat, flat_pairs, in_words, scalar_names, scalars
@@ -36,12 +36,13 @@ omega, gamma, zeta, r = Vector("omega"), Vector("gamma"), Vector("zeta"), Vector
 place = Vector("place", 2)
 
 
+@arguments_checked
 def rolling_state(
     system: System,
     omega: Sequence[float],
     gamma: Sequence[float],
     *,
-    heading: float = 0.0,
+    heading: Finite = 0.0,
     normal: Sequence[float] = (0.0, 0.0, 1.0),
     parameters: Parameters = None,
     fluid: Sequence[float] | Sequence[Sequence[float]] = (),
