@@ -10,7 +10,20 @@ from pathlib import Path
 
 import pytest
 
-from workspace import HOMES, ORDER, ROOT, borders, circles, files, folded, imports, modules, tree
+from workspace import (
+    HOMES,
+    ORDER,
+    ROOT,
+    borders,
+    circles,
+    files,
+    folded,
+    imports,
+    modules,
+    names_taken,
+    nodes_of,
+    tree,
+)
 
 GRAPH = imports(HOMES)
 NAMED = modules(HOMES)
@@ -172,6 +185,48 @@ def test_no_module_replaces_a_name_of_its_folder(tmp_path: Path) -> None:
         (tmp_path / f"{name}.py").write_text(text)
     assert hidden_by_modules(tmp_path) == [f"{tmp_path.name}.b"]
     assert [name for home in HOMES.values() for name in hidden_by_modules(home)] == []
+
+
+#: Files that turn vectors into components themselves: what makes formulas may, what computes takes
+#: the scalar form of a system.  The number may only fall.
+FILES_WITH_COMPONENTS = 38
+
+
+def test_few_files_turn_vectors_into_components() -> None:
+    word = re.compile(r"\bto_components\b")
+    found = [str(path) for path in files() if word.search(path.read_text(encoding="utf-8"))]
+    assert len(found) <= FILES_WITH_COMPONENTS, found
+
+
+def imported_names(path: Path) -> set[str]:
+    """The modules, and the names in modules, that a file imports."""
+    found = {name for _, name in names_taken(path, path.stem, ORDER) if name}
+    for node in nodes_of(path, ast.Import, ast.ImportFrom):
+        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+    return found
+
+
+def test_tests_stand_with_a_package_that_has_all_they_need() -> None:
+    """Tests and their helpers import no later package, nor the helpers of its tests."""
+    homes = {name: home.parents[1] / "tests" for name, home in HOMES.items()}
+    helpers = {
+        ".".join(path.relative_to(home).with_suffix("").parts): place
+        for place, home in enumerate(homes.values())
+        for path in home.rglob("*.py")
+    }
+    wrong = []
+    for place, home in enumerate(homes.values()):
+        for path in home.rglob("*.py"):
+            taken = imported_names(path)
+            taken |= {name.rpartition(".")[0] for name in taken}
+            later = {name for name in taken if helpers.get(name, 0) > place}
+            later |= {name for name in taken if name.split(".")[0] in ORDER[place + 1 :]}
+            if later:
+                wrong.append(f"{path.relative_to(ROOT)}: {', '.join(sorted(later))}")
+    assert wrong == []
 
 
 def test_tests_do_not_hide_a_package() -> None:

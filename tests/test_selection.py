@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-HERE = Path(__file__).parent
+ROOT = Path(__file__).parents[1]
 TESTS = """
 import pytest
 
@@ -38,8 +38,8 @@ SETTINGS = "[pytest]\nmarkers =\n  slow\n  campaign\n  browser\n  server\n"
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """A folder with tests of all kinds, and the settings of these tests."""
-    for name in ("conftest.py", "needs.py"):
-        shutil.copy(HERE / name, tmp_path)
+    shutil.copy(ROOT / "conftest.py", tmp_path)
+    shutil.copy(ROOT / "tests" / "needs.py", tmp_path)
     (tmp_path / "pytest.ini").write_text(SETTINGS)
     (tmp_path / "test_kinds.py").write_text(TESTS)
     return tmp_path

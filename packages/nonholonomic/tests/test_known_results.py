@@ -9,8 +9,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 from scipy.special import ellipk
 
-from chaplygin.report.summary import drift
-from evaluation import jacobian, numeric
+from evaluation import drift, jacobian, numeric
 from flowlanes.flow.integrator import integrate
 from flowlanes.flow.trajectory import Trajectory
 from flowlanes.system.system import System

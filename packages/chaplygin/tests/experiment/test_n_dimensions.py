@@ -255,3 +255,15 @@ def test_the_momentum_of_a_ball_is_what_a_search_is_for():
     names = [[str(s) for s in family] for family in default_momenta(ball)]
     assert names == [["k_12", "k_13", "k_23"]]
     assert [str(s) for s in quantities("k", ball)] == names[0]
+
+
+def test_a_file_may_give_attitude_and_normal():
+    attitude = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+    text = (
+        f'[system]\nname = "chaplygin-ball-on-sphere-nd"\ndimension = 3\na = -4.0\n[start]\n'
+        f"attitude = {attitude}\ngamma = [1, 0, 0]\nomega = [0.1, 0.2, 0.3]\n[run]\nuntil = 0.5\n"
+    )
+    study = Study.from_experiment(parse_experiment(text))
+    assert study.trajectory()["contact"][0] == pytest.approx([0.0, -4.0, 0.0], abs=1e-14)
+    again = Study.from_experiment(parse_experiment(study.complete_toml()))
+    assert again.start == study.start

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import warnings
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.report.figures.integral_drift import drift as drift_figure
-from chaplygin.report.summary import summary, summary_text
 from flowlanes.flow.integrator import integrate
 from flowlanes.flow.trajectory import NO_VALUE, TOO_LARGE
 from flowlanes.formulas.array_evaluation import overflows
@@ -47,26 +44,7 @@ def test_overflow_is_told_with_its_first_moment(growing):
         "its formula is larger than 1.8e308, the largest in double precision",
     )
     assert growing.to_dataset().attrs["warnings"] == "\n".join(growing.warnings)
-
-
-def test_overflow_has_no_drift(growing):
-    facts = summary(growing)
-    assert facts["drift"]["difference"] is None
-    assert facts["drift"]["ratio"] < 1e-14
-    assert facts["warnings"] == list(growing.warnings)
-    assert json.loads(json.dumps(facts, allow_nan=False)) == facts
-    text = summary_text(growing.system, growing, facts)
-    assert f"difference: {TOO_LARGE}" in text
-    assert f"warning: {growing.warnings[1]}" in text
     assert TOO_LARGE in str(growing.overview())
-
-
-def test_the_figure_of_the_drift_leaves_overflow_out(growing):
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        figure = drift_figure(growing.to_dataset())
-    lines = {line.get_label(): line.get_ydata() for line in figure.axes[0].get_lines()}
-    assert np.isfinite(lines["difference"]).tolist() == [True] * 4 + [False] * 7
 
 
 def test_a_quotient_at_rest_is_undefined_and_no_overflow():
@@ -74,7 +52,7 @@ def test_a_quotient_at_rest_is_undefined_and_no_overflow():
     motion = integrate(at_rest, [0.0, 0.0], [0.0, 1.0])
     assert np.isnan(motion.records["law_ratio"]).all()
     assert motion.warnings == ()
-    assert NO_VALUE in summary_text(at_rest, motion, summary(motion))
+    assert NO_VALUE in str(motion.overview())
 
 
 @pytest.mark.parametrize(

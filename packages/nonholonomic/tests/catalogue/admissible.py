@@ -8,8 +8,7 @@ import mpmath
 import numpy as np
 
 from catalogue import built
-from chaplygin.experiment.models.catalogue_models import StateExperiment, SystemExperiment
-from chaplygin.experiment.study import Study
+from catalogue.built import Example, example_of
 from evaluation import on_conditions, parameter_values
 from flowlanes.system.system import System
 from flowlanes.system.vectors import to_components, vectors
@@ -42,19 +41,13 @@ def _random_inertia(entry: Entry, rng: np.random.Generator) -> dict[str, float]:
     return {name: moments[name] for name in names}
 
 
-def random_study(
+def random_example(
     entry: Entry, rng: np.random.Generator, parameters: dict[str, float] | None = None
-) -> Study:
+) -> Example:
     """The system with a start not far from that of the catalogue."""
-    table = {"name": entry.name, "parameters": parameters or {}}
     system = entry.system(parameters)
-    if entry.start.state is None:
-        start = _random_velocity(system, entry, rng)
-        return Study.from_experiment(
-            SystemExperiment.model_validate({"system": table, "start": start})
-        )
-    start = _random_state(system, entry, rng)
-    return Study.from_experiment(StateExperiment.model_validate({"system": table, "start": start}))
+    choose = _random_velocity if entry.start.state is None else _random_state
+    return example_of(entry, system, choose(system, entry, rng))
 
 
 def _random_velocity(
@@ -72,7 +65,7 @@ def _random_velocity(
 
 def _random_state(system: System, entry: Entry, rng: np.random.Generator) -> dict[str, Any]:
     """The variables of the state, on the phase space."""
-    example = built.study(entry.name).start[: len(system.symbols)]
+    example = built.example(entry.name).reduced_start
     size = max(map(abs, map(float, example)))
     known = {
         symbol: float(x) + 0.05 * size * rng.uniform(-1, 1)

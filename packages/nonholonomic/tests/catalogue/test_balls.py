@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import Study
+from catalogue import built
 from flowlanes.flow.integrator import integrate
 from lawproof.proof.prover import prove
 from lawproof.search import integrals, search_space
@@ -82,7 +81,8 @@ def test_a_potential_of_the_user_leaves_no_law():
 
 
 def trajectory(name):
-    return Study.from_experiment(catalogue_experiment(name)).trajectory(pieces=4)
+    made = built.example(name)
+    return integrate(made.system, made.start, np.linspace(0.0, CATALOGUE[name].start.until, 401))
 
 
 def test_a_solid_ball_in_a_pipe_oscillates_at_the_root_of_two_sevenths():

@@ -74,14 +74,14 @@ def test_defaults_are_admissible() -> None:
 
 def test_bodies_on_a_surface_are_listed() -> None:
     found = {name for name in CATALOGUE if isinstance(built.made(name), RollingBody)}
-    assert found == set(built.ROLLING), "mend ROLLING in tests/catalogue/built.py"
+    assert found == set(built.ROLLING), "mend ROLLING in catalogue/built.py"
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_the_example_runs_to_its_end(name):
     item = CATALOGUE[name]
-    made = built.study(name)
+    made = built.example(name)
     motion = integrate(made.system_on_level, made.start, np.linspace(0.0, item.start.until, 11))
     assert motion.times[-1] == item.start.until
     assert motion.events == ()
@@ -143,7 +143,7 @@ def test_inadmissible_parameters_are_refused(name, parameters, message):
 
 @pytest.mark.parametrize("name", ["unbalanced-ball", "heavy-disk", "veselova"])
 def test_no_motion_of_a_body_that_cannot_be(name):
-    system, start = built.system(name), built.study(name).start
+    system, start = built.system(name), built.example(name).start
     state, sizes = start[: len(system.symbols)], system.default_values
     for i in (1, 2, 3):
         others = sum(dict(sizes)[f"I_{j}"] for j in (1, 2, 3) if j != i)

@@ -47,7 +47,7 @@ class Seen:
 
 def seen(name: str) -> Seen:
     """Follow a disk of the catalogue for a short time."""
-    made = built.study(name)
+    made = built.example(name)
     numbers = entry(name).defaults
     motion = integrate(made.system, made.start, np.arange(0, 1.0, STEP))
     turn = turns(motion["attitude"])

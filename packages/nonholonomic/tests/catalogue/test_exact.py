@@ -91,7 +91,7 @@ def derivatives(
 
 def example(name: str) -> tuple[System, Any]:
     """A system of the catalogue with its start."""
-    made = built.study(name)
+    made = built.example(name)
     return made.system, made.start
 
 

@@ -10,11 +10,9 @@ import pytest
 import sympy as sp
 
 from catalogue import built
-from catalogue.admissible import random_parameters, random_study
-from catalogue.built import NAMES, ROLLING
-from chaplygin.experiment.study import Study
-from chaplygin.report.summary import drift
-from evaluation import numeric
+from catalogue.admissible import random_example, random_parameters
+from catalogue.built import NAMES, ROLLING, Example
+from evaluation import drift, numeric
 from flowlanes.flow.integrator import integrate
 from flowlanes.flow.trajectory import Trajectory
 from flowlanes.system.system import System
@@ -44,14 +42,14 @@ def drifts(motion: Trajectory) -> dict[str, float]:
     return found
 
 
-def example(name: str) -> Study:
+def example(name: str) -> Example:
     """The example of the catalogue; all of its integrals hold at its start."""
-    made = built.study(name)
+    made = built.example(name)
     assert made.system_on_level.integrals == made.system.integrals
     return made
 
 
-def follow(made: Study, until: float, samples: int = 201) -> Trajectory:
+def follow(made: Example, until: float, samples: int = 201) -> Trajectory:
     motion = integrate(
         made.system_on_level, made.start, np.linspace(0.0, until, samples), on_liftoff="warn"
     )
@@ -90,7 +88,7 @@ def test_chaplygin_ball_at_a_hundred_thousand():
 @pytest.mark.parametrize("name", ROLLING)
 def test_every_integral_is_flat_for_random_bodies(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
-    made = random_study(entry, rng, random_parameters(entry, rng))
+    made = random_example(entry, rng, random_parameters(entry, rng))
     assert max(drifts(follow(made, 20.0, 41)).values()) < 5e-14
     named = [law.name for law in built.system(name).integrals]
     assert [law.name for law in made.system_on_level.integrals] == named
@@ -101,7 +99,7 @@ def test_every_integral_is_flat_for_random_bodies(name, seed):
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in ROLLING])
 def test_every_integral_is_flat_from_random_starts(name, seed):
     entry, rng = CATALOGUE[name], np.random.default_rng((seed, crc32(name.encode())))
-    made = random_study(entry, rng)
+    made = random_example(entry, rng)
     assert made.system_on_level.integrals == made.system.integrals
     until = entry.start.until / 5 if is_chart(name) else 20.0
     assert max(drifts(follow(made, until, 41)).values()) < 5e-14
@@ -126,7 +124,7 @@ def wrong_forms(formula: sp.Expr, system: System) -> Iterator[tuple[str, sp.Expr
 @pytest.mark.parametrize("name", ROLLING)
 def test_a_planted_error_shows(name):
     entry, rng = CATALOGUE[name], np.random.default_rng(crc32(name.encode()))
-    motion = follow(random_study(entry, rng, random_parameters(entry, rng)), 20.0)
+    motion = follow(random_example(entry, rng, random_parameters(entry, rng)), 20.0)
     system = motion.system
     wrong = [
         form for law in system.integrals for form in wrong_forms(to_components(law.value), system)

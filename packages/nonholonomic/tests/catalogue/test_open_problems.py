@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import Study
+from catalogue import built
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import System
 from lawproof.proof.fields.budget import EFFORT
@@ -73,7 +72,7 @@ def test_the_guide_holds_the_ball_on_its_line() -> None:
 
 
 def test_the_ball_stays_on_its_line() -> None:
-    made = Study.from_experiment(catalogue_experiment("straight-line-ball"))
+    made = built.example("straight-line-ball")
     motion = integrate(made.system, made.start, np.linspace(0.0, 20.0, 201))
     turned = np.array(
         [rows(q) @ w for q, w in zip(motion["attitude"], motion["omega"], strict=True)]
@@ -86,8 +85,8 @@ def test_the_ball_stays_on_its_line() -> None:
 
 def test_momenta_and_angular_velocity_describe_one_motion() -> None:
     one, other = (entry(f"straight-line-ball{name}") for name in ("", "-momenta"))
-    first = Study.from_experiment(catalogue_experiment(one.name))
-    second = Study.from_experiment(catalogue_experiment(other.name))
+    first = built.example(one.name)
+    second = built.example(other.name)
     times = np.linspace(0.0, 10.0, 11)
     a, b = (integrate(made.system, made.start, times) for made in (first, second))
     assert a["attitude"] == pytest.approx(b["attitude"], abs=1e-11)

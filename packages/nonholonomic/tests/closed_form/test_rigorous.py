@@ -12,10 +12,10 @@ import pytest
 import sympy as sp
 from flint import acb, acb_mat, arb, ctx
 
-from chaplygin import solve
 from flowlanes.errors import InputError
 from flowlanes.formulas.balls import components
 from nonholonomic.catalogue import from_catalogue
+from nonholonomic.closed_form import solve
 from nonholonomic.closed_form.genus_two.separated_motion import (
     SeparatedMotion,
     separate,

@@ -14,15 +14,14 @@ import pytest
 import sympy as sp
 from flint import arb
 
-from chaplygin import solve
-from chaplygin.experiment.models.experiment import parse_experiment
-from chaplygin.experiment.study import Study
+from closed_form.problems import catalogue_problem
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.formulas.balls import exact
 from flowlanes.system.system import Parameter, System
 from flowlanes.system.vectors import real_symbol, vectors
 from nonholonomic.catalogue import from_catalogue
+from nonholonomic.closed_form import solve
 from nonholonomic.closed_form.base.problem import Problem, same_field
 from nonholonomic.closed_form.recover_body import rolling_of
 from nonholonomic.closed_form.solvable_cases import find_match, solution_of
@@ -43,13 +42,6 @@ def problem_of(rolling: RollingBody, omega: Any = NO_SPIN, words: bool = True) -
     system = rolling.system()
     start = initial_state(system, omega, GAMMA)
     return Problem(system, system.defaults, start, rolling if words else None)
-
-
-def catalogue(name: str, **parameters: float) -> Problem:
-    """A system of the catalogue with its start."""
-    options = [f"system.parameters.{key}={value}" for key, value in parameters.items()]
-    study = Study.from_experiment(parse_experiment(f'[system]\nname = "{name}"\n', name, options))
-    return Problem(study.system, study.system.defaults, study.start, study.rolling)
 
 
 BALL = RollingBody(Body(1.3, MOMENTS, Ball(0.9)))
@@ -90,7 +82,7 @@ def test_rolling_bodies(rolling: RollingBody, name: str) -> None:
     ],
 )
 def test_systems_of_the_catalogue(name: str, parameters: dict[str, float], separation: str) -> None:
-    found = find_match(catalogue(name, **parameters))
+    found = find_match(catalogue_problem(name, **parameters))
     assert found is not None
     assert (found.known_system.name, found.level) == (separation, ())
 

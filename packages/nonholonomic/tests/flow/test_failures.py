@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.report.summary import summary
 from flowlanes.errors import InputError, RunError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.system import Guard, System
@@ -154,7 +153,6 @@ def test_a_quantity_without_a_value_does_not_stop_a_motion():
     assert (motion["law_energy"] == 0.0).all()
     assert (motion.states[1] == motion.states[0]).all()
     assert "undefined along this motion" in str(motion)
-    assert summary(motion)["drift"]["quadratic1"] is None
 
 
 def test_what_cannot_be_computed_is_refused_in_a_sentence() -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.report.summary import drift
+from evaluation import drift
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.flow.taylor.working_numbers import number_type

@@ -11,7 +11,7 @@ import random
 
 import sympy as sp
 
-import chaplygin as ch
+import nonholonomic
 from flowlanes.system.laws import Integral, Law
 from flowlanes.system.system import System
 from fuzz.case import Case, Family, Truth, parameter, real
@@ -92,10 +92,10 @@ def energy_with_constraints(rng: random.Random) -> Case:
     elif spoilt == "time":
         lagrangian, why = lagrangian - t * (x + 2 * y + 3 * phi), "the potential depends on time"
         told = energy + t * (x + 2 * y + 3 * phi)
-    frame = ch.coordinates(*PLACES)
+    frame = nonholonomic.coordinates(*PLACES)
 
     def make() -> tuple[System, Law]:
-        mechanism = ch.Mechanism(
+        mechanism = nonholonomic.Mechanism(
             "planted",
             frame,
             lagrangian,
@@ -104,7 +104,7 @@ def energy_with_constraints(rng: random.Random) -> Case:
             definitions=definitions,
             parameters=(parameter(k, 0.7, k > 0),),
         )
-        return ch.equations_of_motion(mechanism), Integral("law", told)
+        return nonholonomic.equations_of_motion(mechanism), Integral("law", told)
 
     holds = not spoilt or _holds_still(make()[0], told)
     truth: Truth = "true" if holds else "false"

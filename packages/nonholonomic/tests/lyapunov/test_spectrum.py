@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import Study
+from catalogue import built
 from flow.motions import carousel, henon_heiles, henon_heiles_start, lorenz, saddle, top
 from flowlanes.errors import InputError, RunError
 from flowlanes.flow.linearisation.linear_stability import linear_stability
@@ -33,8 +32,8 @@ def butterfly() -> Spectrum:
 
 
 def _start(name: str) -> tuple[System, list[float]]:
-    study = Study.from_experiment(catalogue_experiment(name))
-    return study.system, [float(x) for x in study.start[: len(study.system.symbols)]]
+    made = built.example(name)
+    return made.system, [float(x) for x in made.reduced_start]
 
 
 def _removed(found: Spectrum) -> list[str]:

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import pickle
-import re
-from pathlib import Path
 
 import pytest
 import sympy as sp
 from sympy.matrices.expressions import MatrixExpr
 
-import chaplygin
 from flowlanes.system.isomorphism import Isomorphism
 from flowlanes.system.laws import Integral, Law, Measure, Symmetry
 from flowlanes.system.named_formulas import scalars
@@ -20,10 +17,6 @@ from nonholonomic.catalogue import from_catalogue
 
 M, gamma = Vector("M"), Vector("gamma")
 SYSTEMS = ("chaplygin-ball", "veselova", "heavy-disk")
-
-#: Files that turn vectors into components themselves: what makes formulas may, what computes takes
-#: the scalar form.  The number may only fall.
-FILES = 35
 
 
 def formulas(law: Law) -> list[sp.Basic]:
@@ -99,10 +92,3 @@ def test_a_guard_in_scalar_form() -> None:
     assert guard.scalar == Guard(
         "short", sum(s**2 for s in gamma.symbols) - 1, "too short", lift_off=True
     )
-
-
-def test_few_files_turn_vectors_into_components() -> None:
-    home = Path(chaplygin.__file__).parent
-    word = re.compile(r"\bto_components\b")
-    found = [p for p in home.rglob("*.py") if word.search(p.read_text(encoding="utf-8"))]
-    assert len(found) <= FILES, sorted(str(p.relative_to(home)) for p in found)

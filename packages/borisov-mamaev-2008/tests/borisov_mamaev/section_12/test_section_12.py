@@ -15,7 +15,7 @@ from flowlanes.system.vectors import to_components
 )
 def test_integrals_leave_two_dimensions(name: str, cyclic: int) -> None:
     """Relations and integrals are independent; the place along the line is a cyclic variable."""
-    made = built.study(name)
+    made = built.example(name)
     system = made.system
     state = list(system.symbols)
     functions = [to_components(law.value) for law in system.integrals]

@@ -20,8 +20,8 @@ import pytest
 import xarray as xr
 import zarr
 
-import chaplygin
 import counted
+import flowlanes
 from counted import task
 from flowlanes.errors import InputError
 from flowlanes.flow.ensembles.computation import compute
@@ -101,7 +101,7 @@ def test_a_mistake_in_a_block_keeps_the_others(tmp_path: Path) -> None:
 # --- killed ---------------------------------------------------------------------------------------
 
 
-TESTS, SOURCE = Path(counted.__file__).parent, Path(chaplygin.__file__).parents[1]
+TESTS, SOURCE = Path(counted.__file__).parent, Path(flowlanes.__file__).parents[1]
 
 
 def beginning(store: Path, log: Path, size: int, block: int) -> subprocess.Popen[bytes]:

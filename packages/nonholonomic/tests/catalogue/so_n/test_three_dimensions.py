@@ -5,8 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from chaplygin.experiment.models.experiment import parse_experiment
-from chaplygin.experiment.study import Study, dataset_of
 from flowlanes.flow.integrator import integrate
 from nonholonomic.catalogue import from_catalogue
 from nonholonomic.mechanics.rolling.initial_state import initial_state
@@ -38,7 +36,7 @@ def rotations(quaternions):
             "chaplygin-ball",
             SPIN,
             {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "m": 1.2, "R": 0.8},
-            "moments = [2.1, 1.5, 1.0], mass = 1.2, radius = 0.8",
+            {"moments": [2.1, 1.5, 1.0], "mass": 1.2, "radius": 0.8},
         ),
         (
             "rubber-chaplygin-ball-nd",
@@ -46,14 +44,18 @@ def rotations(quaternions):
             SPIN - (SPIN @ GAMMA) * GAMMA,
             {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "m": 1.2, "R": 0.8},
             # J = diag(1.3, 0.8, 0.2)
-            "mass_tensor = [[1.3, 0, 0], [0, 0.8, 0], [0, 0, 0.2]], mass = 1.2, radius = 0.8",
+            {
+                "mass_tensor": [[1.3, 0.0, 0.0], [0.0, 0.8, 0.0], [0.0, 0.0, 0.2]],
+                "mass": 1.2,
+                "radius": 0.8,
+            },
         ),
         (
             "veselova-nd",
             "veselova",
             SPIN - (SPIN @ GAMMA) * GAMMA,
             {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1},
-            "moments = [2.1, 1.5, 1.0]",
+            {"moments": [2.1, 1.5, 1.0]},
         ),
         (
             # products of inertia I_13, I_23 are −J_13, −J_23
@@ -61,20 +63,16 @@ def rotations(quaternions):
             "suslov",
             np.array([0.9, -0.5, 0.0]),
             {"I_1": 1.0, "I_2": 1.5, "I_3": 2.1, "I_13": 0.2, "I_23": -0.3},
-            "mass_tensor = [[1.3, 0, -0.2], [0, 0.8, 0.3], [-0.2, 0.3, 0.2]]",
+            {"mass_tensor": [[1.3, 0.0, -0.2], [0.0, 0.8, 0.3], [-0.2, 0.3, 0.2]]},
         ),
     ],
 )
 def test_three_dimensions_are_the_system_of_the_paper(name, old, omega, parameters, given):
     before = from_catalogue(old, **parameters)
     motion = integrate(before, initial_state(before, omega, GAMMA), TIMES)
-    text = (
-        f'system = {{name = "{name}", dimension = 3, {given}}}\n'
-        f"start = {{gamma = {GAMMA.tolist()}, omega = {pairs_of(omega).tolist()}}}\n"
-        "run = {until = 10.0, samples = 6}\n"
-    )
-    study = Study.from_experiment(parse_experiment(text))
-    found = dataset_of(study, study.trajectory())
+    system = from_catalogue(name, dimension=3, **given)
+    start = {"gamma": GAMMA, "omega": pairs_of(omega)}
+    found = integrate(system, start, TIMES).to_dataset()
     assert np.abs(found["gamma"].values - motion["gamma"]).max() < 2e-14
     assert np.abs(found["omega"].values - pairs_of(motion["omega"])).max() < 4e-14
     assert np.abs(found["attitude"].values - rotations(motion["attitude"])).max() < 4e-14

@@ -7,8 +7,8 @@ import pytest
 from scipy.stats import special_ortho_group
 
 from catalogue.so_n import unreduced
-from chaplygin.experiment.models.catalogue_models import StateExperiment
-from chaplygin.experiment.study import Study, dataset_of
+from flowlanes.flow.integrator import integrate
+from nonholonomic.catalogue import from_catalogue
 
 MASS, RADIUS = 1.3, 0.8
 NAMES = ("suslov-nd", "veselova-nd", "chaplygin-ball-nd", "rubber-chaplygin-ball-nd")
@@ -69,16 +69,9 @@ def test_the_motion_is_that_of_the_body_with_all_reactions(name, n, kind):
         g, unreduced.above(omega), velocity, times
     )
     size = {"mass": MASS, "radius": RADIUS} if rolls else {}
-    table = {"name": name, "dimension": n, **given, **size}
-    experiment = StateExperiment.model_validate(
-        {
-            "system": table,
-            "start": {"attitude": g.tolist(), "omega": unreduced.above(omega).tolist()},
-            "run": {"until": 10.0, "samples": 3},
-        }
-    )
-    study = Study.from_experiment(experiment)
-    motion = dataset_of(study, study.trajectory())
+    system = from_catalogue(name, dimension=n, **given, **size)
+    start = {"attitude": g, "omega": unreduced.above(omega)}
+    motion = integrate(system, start, times).to_dataset()
     assert np.abs(motion["attitude"].values - attitude).max() < 1e-10
     assert np.abs(motion["omega"].values - spin).max() < 1e-10
     assert np.ptp(motion["gamma"].values, axis=0).max() > 0.1

@@ -11,13 +11,11 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from chaplygin.experiment.models.experiment import parse_experiment
-from chaplygin.experiment.study import Study
 from flowlanes.errors import InputError
 from flowlanes.flow.integrator import integrate
 from flowlanes.system.laws import Measure
 from lawproof.proof.prover import prove, prove_all
-from nonholonomic.catalogue import from_catalogue
+from nonholonomic.catalogue import entry, from_catalogue
 
 MARBLE, RUBBER = "chaplygin-ball-on-sphere-nd", "rubber-ball-on-sphere-nd"
 MASS, RADIUS, UNTIL = 1.3, 0.9, 10.0
@@ -125,10 +123,9 @@ def test_three_dimensions_are_the_balls_of_the_catalogue(name):
 
 @pytest.mark.parametrize("name", [MARBLE, RUBBER])
 def test_a_dataset_has_the_contact_point_by_as_many_coordinates_as_the_space(name):
-    study = Study.from_experiment(
-        parse_experiment(f"[system]\nname = '{name}'\ndimension = 4\n[run]\nuntil = 1.0\n")
-    )
-    contact = study.trajectory().to_dataset()["contact"]
+    ball = from_catalogue(name, dimension=4)
+    start = entry(name).member({"dimension": 4}).start.values
+    contact = integrate(ball, start, [0.0, 1.0]).to_dataset()["contact"]
     assert contact.dims == ("time", "space_axis")
     assert contact.shape[1] == 4
 
@@ -173,15 +170,3 @@ def test_a_sphere_that_cannot_be_is_refused(a):
     with pytest.raises(InputError) as caught:
         from_catalogue(MARBLE, a=a)
     assert "radius of the sphere" in str(caught.value)
-
-
-def test_a_file_may_give_attitude_and_normal():
-    attitude = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
-    text = (
-        f'[system]\nname = "{MARBLE}"\ndimension = 3\na = -4.0\n[start]\n'
-        f"attitude = {attitude}\ngamma = [1, 0, 0]\nomega = [0.1, 0.2, 0.3]\n[run]\nuntil = 0.5\n"
-    )
-    study = Study.from_experiment(parse_experiment(text))
-    assert study.trajectory()["contact"][0] == pytest.approx([0.0, -4.0, 0.0], abs=1e-14)
-    again = Study.from_experiment(parse_experiment(study.complete_toml()))
-    assert again.start == study.start

@@ -110,7 +110,7 @@ def test_reactions_of_the_veselova_system_lie_across_the_direction() -> None:
 
 @pytest.mark.parametrize("name", ["chaplygin-ball-4d", "veselova-4d"])
 def test_integrals_stay(name: str) -> None:
-    made = built.study(name)
+    made = built.example(name)
     motion = integrate(made.system, made.start, np.linspace(0.0, 20.0, 41))
     for law in made.system.integrals:
         values = motion[f"law_{law.name}"]

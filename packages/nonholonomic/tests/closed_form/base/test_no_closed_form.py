@@ -6,21 +6,37 @@ import re
 
 import pytest
 
-from chaplygin.experiment.models.experiment import parse_experiment
-from chaplygin.experiment.study import Study
+from closed_form.problems import catalogue_problem
 from flowlanes.errors import InputError
+from flowlanes.system.system import System
+from flowlanes.system.vectors import real_symbol
 from nonholonomic.closed_form.base.no_closed_form import NoClosedFormError
 from nonholonomic.closed_form.base.problem import Problem
 from nonholonomic.closed_form.solvable_cases import solution_of
+from nonholonomic.mechanics.rolling.body import Body
+from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
+from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.mechanics.shapes.shapes import Ball
+from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+
+GAMMA = (0.36, -0.48, 0.8)
 
 
-def refused(text: str, *overrides: str) -> str:
+def refused(problem: Problem) -> str:
     """The sentence with which a motion is refused."""
-    study = Study.from_experiment(parse_experiment(text, "x.toml", list(overrides)))
     with pytest.raises(NoClosedFormError) as refusal:
-        solution_of(Problem(study.system, study.system.defaults, study.start, study.rolling))
+        solution_of(problem)
     assert isinstance(refusal.value, InputError)
     return str(refusal.value)
+
+
+def refused_body(centre: tuple[float, float, float], surface: Plane | Sphere, field: Forces) -> str:
+    """The sentence for a ball that rolls."""
+    body = Body(1.0, (1.0, 1.5, 2.1), Ball(0.8, centre=centre))
+    rolling = RollingBody(body, surface, field=field)
+    system = rolling.system()
+    start = initial_state(system, (0.8, -0.4, -0.6), GAMMA)
+    return refused(Problem(system, system.defaults, start, rolling))
 
 
 @pytest.mark.slow
@@ -42,57 +58,30 @@ def refused(text: str, *overrides: str) -> str:
     ],
 )
 def test_one_sentence_says_what_is_known(name: str, parts: list[str]) -> None:
-    parameters = ["system.parameters.k=1.5"] if name == "rubber-ball-of-ratio" else []
-    sentence = refused(f'[system]\nname = "{name}"\n', *parameters)
+    parameters = {"k": 1.5} if name == "rubber-ball-of-ratio" else {}
+    sentence = refused(catalogue_problem(name, **parameters))
     for part in parts:
         assert part in sentence
     assert len(re.findall(r"\. |\n", sentence)) == 0
 
 
-HEAVY = """
-[body]
-mass = 1.0
-inertia = [1.0, 1.5, 2.1]
-[body.shape]
-kind = "ball"
-radius = 0.8
-centre = [0.1, 0.0, 0.0]
-[field]
-gravity = 9.81
-[start]
-gamma = [0.36, -0.48, 0.8]
-omega = [0.8, -0.4, -0.6]
-"""
-
-
 @pytest.mark.slow
-def test_bodies_from_a_file() -> None:
-    sentence = refused(HEAVY)
+def test_rolling_balls() -> None:
+    heavy, middle = Forces(9.81), (0.0, 0.0, 0.0)
+    sentence = refused_body((0.1, 0.0, 0.0), Plane(), heavy)
     assert sentence.startswith("the unbalanced ball on a plane under gravity, marble contact, is")
-    sphere = ["body.shape.centre=[0,0,0]", "surface.kind=sphere", "surface.radius=3.0"]
-    assert refused(HEAVY, *sphere).startswith("the ball on a sphere under gravity")
-    potential = ["body.shape.centre=[0,0,0]", "field.potential=gamma_1**3"]
-    assert "in this potential" in refused(HEAVY, *potential)
+    assert refused_body(middle, Sphere(3.0), heavy).startswith("the ball on a sphere under gravity")
+    potential = real_symbol("gamma_1") ** 3
+    assert "in this potential" in refused_body(middle, Plane(), Forces(9.81, potential))
 
 
 def test_curves_that_are_not_solved() -> None:
-    moments = ["system.parameters.I_2=1.0", "system.parameters.I_3=1.6"]
-    sentence = refused('[system]\nname = "neumann"\n', *moments)
+    sentence = refused(catalogue_problem("neumann", I_2=1.0, I_3=1.6))
     assert "roots of its curve coincide, as they do for equal moments: known are" in sentence
 
 
-OWN = """
-[equations]
-state = ["x", "v"]
-rates = { x = "v", v = "-x**3" }
-[start]
-x = 1.0
-v = 0.0
-[run]
-until = 5.0
-"""
-
-
 def test_a_system_of_the_users_own() -> None:
-    sentence = refused(OWN)
+    x, v = real_symbol("x"), real_symbol("v")
+    own = System("own", "Own", {x: v, v: -(x**3)})
+    sentence = refused(Problem(own, own.defaults, (1.0, 0.0)))
     assert "is not solved in closed form here: nothing but its equations is known" in sentence

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import math
-from io import BytesIO
 
 import numpy as np
 import pytest
 
-from chaplygin.report.figures import revolution_diagram as draw
 from flowlanes.errors import InputError
 from nonholonomic.closed_form.revolution import solve_rolling
 from nonholonomic.closed_form.revolution.diagram import Diagram, revolution_diagram
@@ -67,15 +65,6 @@ def test_curves_join_the_columns(diagram: Diagram) -> None:
     assert all(np.all(np.diff(curve[:, 1]) > 0) for curve in diagram.curves)
 
 
-def test_figure(diagram: Diagram) -> None:
-    figure = draw(diagram, [(12.0, 1.0)])
-    (axes,) = figure.axes
-    assert axes.get_ylim()[0] < 9.81 < axes.get_ylim()[1]
-    written = BytesIO()
-    figure.savefig(written, format="svg")
-    assert len(written.getvalue()) > 10_000
-
-
 def test_refusals() -> None:
     for K in (0.0, math.inf):
         with pytest.raises(InputError, match="must be positive"):
@@ -83,8 +72,6 @@ def test_refusals() -> None:
     for spins in ([], [2.0, 1.0]):
         with pytest.raises(InputError, match="each above the one before"):
             revolution_diagram(DISK, spins)
-    with pytest.raises(InputError, match="needs two or more"):
-        draw(revolution_diagram(DISK, [1.0]))
     marble = RollingBody(DISK.body, contact="marble", field=Forces(9.81))
     with pytest.raises(InputError, match="rubber body of revolution"):
         revolution_diagram(marble, [1.0])

@@ -10,8 +10,7 @@ import pytest
 import sympy as sp
 
 import flowlanes.flow.devices.graphics as module
-from chaplygin.experiment.models.experiment import catalogue_experiment
-from chaplygin.experiment.study import Study
+from catalogue import built
 from flow.devices.ptx_machine import PtxMachine
 from flow.small import FENCED, LOGARITHM, OSCILLATOR, RUNAWAY, body, starts, x, y
 from flowlanes.errors import InputError
@@ -66,7 +65,7 @@ def test_motions() -> None:
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_every_system(name: str) -> None:
     system = replace(from_catalogue(name), reconstruction=None)
-    start = Study.from_experiment(catalogue_experiment(name)).start[: len(system.symbols)]
+    start = built.example(name).reduced_start
     here, there = on_both(system)
     states = np.array([[float(value) for value in start]])
     assert_same(there.propagate(states, [0.05]), here.propagate(states, [0.05]))

@@ -15,7 +15,7 @@ from flowlanes.flow.machine_code.wasm_object import (
     module_of_object,
     sections,
 )
-from page.node import NODE, needs_node
+from needs import needs
 
 SQUARE = "define double @square(double %x) { %y = fmul double %x, %x ret double %y }"
 FOURTH = """
@@ -46,7 +46,7 @@ def test_numbers_in_bytes_of_seven_bits(number):
     assert value == number and all(byte >= 0x80 for byte in leb(number)[:-1])
 
 
-@needs_node
+@needs("node")
 def test_exported_functions_compute():
     module = wasm_module([SQUARE, FOURTH], ["fourth", "square"])
     program = """
@@ -57,7 +57,7 @@ def test_exported_functions_compute():
     console.log(square(3), fourth(3), WebAssembly.Module.imports(module).length);
     """
     done = subprocess.run(
-        [NODE, "--input-type=module", "-e", program, module.hex()],
+        ["node", "--input-type=module", "-e", program, module.hex()],
         capture_output=True,
         check=False,
         text=True,

@@ -90,9 +90,11 @@ def test_only_the_user_may_look_into_the_folder(place):
 @pytest.mark.slow
 def test_a_second_process_finds_the_code(place):
     program = (
-        "from nonholonomic.catalogue import from_catalogue\n"
+        "import sympy as sp\n"
         "from flowlanes.flow.taylor.compiled_system import compile_system\n"
-        "print(compile_system(from_catalogue('veselova')).from_cache)\n"
+        "from flowlanes.system.system import System\n"
+        "x, y = sp.symbols('x y', real=True)\n"
+        "print(compile_system(System('pendulum', 'P', {x: y, y: -sp.sin(x)})).from_cache)\n"
     )
     found = [
         subprocess.run(

@@ -13,9 +13,9 @@ from flowlanes.flow.kernel.wasm import emit_row_functions, wasm_module, with_pre
 from flowlanes.flow.machine_code.arithmetic import WithoutFused
 from flowlanes.flow.machine_code.ir_writer import IRWriter
 from flowlanes.formulas.graph import Graph
-from page.node import NODE, needs_node
+from needs import needs
 
-pytestmark = needs_node
+pytestmark = needs("node")
 
 PROGRAM = """
 const memory = new WebAssembly.Memory({ initial: 64 });
@@ -46,7 +46,7 @@ def evaluated(terms, rows):
         "name": names["all"],
     }
     done = subprocess.run(
-        [NODE, "-e", PROGRAM], input=json.dumps(task), capture_output=True, check=True, text=True
+        ["node", "-e", PROGRAM], input=json.dumps(task), capture_output=True, check=True, text=True
     )
     return np.array([float(x) for x in json.loads(done.stdout)]).reshape(len(rows), len(terms))
 
@@ -97,7 +97,7 @@ def test_formulas_keep_what_rounding_takes_where_it_is_wanted():
         "name": names["all"],
     }
     done = subprocess.run(
-        [NODE, "-e", PROGRAM], input=json.dumps(task), capture_output=True, check=True, text=True
+        ["node", "-e", PROGRAM], input=json.dumps(task), capture_output=True, check=True, text=True
     )
     values = np.array([float(x) for x in json.loads(done.stdout)]).reshape(-1, 2)
     for (p, q, r), (whole, rounded) in zip(rows.tolist(), values.tolist(), strict=True):
