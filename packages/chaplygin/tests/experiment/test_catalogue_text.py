@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from catalogue import built
 from chaplygin.experiment.catalogue_text import catalogue_text
 from chaplygin.experiment.models.experiment import parse_experiment
 from chaplygin.experiment.study import Study
@@ -18,6 +17,7 @@ from nonholonomic.catalogue import CATALOGUE, file_systems
 from nonholonomic.catalogue.entry_files import entry_file, entry_files, read_head
 from nonholonomic.catalogue.file_systems import claimed_system
 from nonholonomic.catalogue.groups import GROUPS
+from studies import catalogue_study
 
 #: Systems of each kind of file: equations, a Lagrangian, conditional laws, a body, a mechanism of
 #: a family.
@@ -52,7 +52,7 @@ def test_an_entry_is_that_of_its_file(name: str) -> None:
 
 def reads_back(name: str) -> str:
     """What `show NAME --as toml` prints, or why it cannot; it reads back to the same system."""
-    study = built.study(name)
+    study = catalogue_study(name)
     try:
         text = catalogue_text(study)
     except InputError as error:
