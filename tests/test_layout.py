@@ -19,8 +19,6 @@ from workspace import (
     files,
     folded,
     imports,
-    names_taken,
-    nodes_of,
     own_imports,
     own_modules,
     tree,
@@ -197,15 +195,22 @@ def test_few_files_turn_vectors_into_components() -> None:
     assert len(found) <= FILES_WITH_COMPONENTS, found
 
 
-def imported_names(path: Path) -> set[str]:
-    """The modules, and the names in modules, that a file imports."""
-    found = {name for _, name in names_taken(path, path.stem, ORDER) if name}
-    for node in nodes_of(path, ast.Import, ast.ImportFrom):
-        if isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            found |= {f"{node.module}.{alias.name}" for alias in node.names}
-        elif isinstance(node, ast.Import):
-            found |= {alias.name for alias in node.names}
+def imported_names(text: str) -> set[str]:
+    """The modules, and the names in modules, that a text imports: programs in strings as well."""
+    found = set()
+    for module, names, plain in re.findall(
+        r"^[ \t\"']*(?:from ([\w.]+) import (?:\(\n)?(.*)|import ([\w.]+))", text, re.MULTILINE
+    ):
+        found |= (
+            {plain} if plain else {module, *(f"{module}.{n}" for n in re.findall(r"\w+", names))}
+        )
     return found
+
+
+def test_imports_of_a_text_are_seen() -> None:
+    text = "from a import b, c\nimport d.e\nfrom f.g import (\n    h,\n)\nP = 'import k'\n"
+    assert imported_names(text) >= {"a", "a.b", "a.c", "d.e", "f.g"}
+    assert imported_names("    'from chaplygin import x; '") >= {"chaplygin"}
 
 
 def test_tests_stand_with_a_package_that_has_all_they_need() -> None:
@@ -219,8 +224,7 @@ def test_tests_stand_with_a_package_that_has_all_they_need() -> None:
     wrong = []
     for place, home in enumerate(homes.values()):
         for path in home.rglob("*.py"):
-            taken = imported_names(path)
-            taken |= {name.rpartition(".")[0] for name in taken}
+            taken = imported_names(path.read_text(encoding="utf-8"))
             later = {name for name in taken if helpers.get(name, 0) > place}
             later |= {name for name in taken if name.split(".")[0] in ORDER[place + 1 :]}
             if later:
