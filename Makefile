@@ -2,7 +2,8 @@
 
 VENV := .venv
 BIN := $(VENV)/bin
-PYTEST_FLAGS ?= -n 2
+# neighbouring tests share what they build: each process takes half of the list
+PYTEST_FLAGS ?= -n 2 --dist worksteal
 SITE_FLAGS ?=
 # tests that are rewritten when imported are compiled once, not in each process
 export PYTHONDONTWRITEBYTECODE :=

@@ -17,11 +17,9 @@ import chaplygin.experiment
 import flowlanes
 import lawproof
 import nonholonomic
-from workspace import HOMES, ORDER, ROOT, folded, imports, modules
+from workspace import HOMES, ORDER, ROOT, folded, own_imports, own_modules
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
-NAMED = modules(HOMES)
-GRAPH = imports(HOMES)
 #: The packages whose names `chaplygin` has a part of.
 PUBLIC: dict[str, ModuleType] = {
     "flowlanes": flowlanes,
@@ -65,7 +63,7 @@ ELSEWHERE = {
 
 
 def test_the_picture_of_the_packages() -> None:
-    real = folded(GRAPH, NAMED, 1)
+    real = folded(own_imports(), own_modules(), 1)
     assert PACKAGES.keys() | set().union(*PACKAGES.values()) == set(ORDER)
     for name in ORDER:
         assert PACKAGES.get(name, set()) <= real[name], name
@@ -73,7 +71,7 @@ def test_the_picture_of_the_packages() -> None:
 
 
 def test_every_arrow_is_an_import_and_every_import_follows_from_arrows() -> None:
-    real = folded(GRAPH, NAMED, 2)
+    real = folded(own_imports(), own_modules(), 2)
     assert FOLDERS.keys() | set().union(*FOLDERS.values()) == ROOMS
     for room in ROOMS:
         assert FOLDERS.get(room, set()) <= real[room], room

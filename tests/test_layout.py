@@ -10,26 +10,36 @@ from pathlib import Path
 
 import pytest
 
-from workspace import HOMES, ORDER, ROOT, borders, circles, files, folded, imports, modules, tree
-
-GRAPH = imports(HOMES)
-NAMED = modules(HOMES)
+from workspace import (
+    HOMES,
+    ORDER,
+    ROOT,
+    borders,
+    circles,
+    files,
+    folded,
+    imports,
+    own_imports,
+    own_modules,
+    tree,
+)
 
 
 def test_no_imports_run_in_a_circle() -> None:
-    assert len(GRAPH) > 500
-    assert GRAPH["flowlanes.system.system"] >= {"flowlanes.system.vectors"}
-    assert circles(GRAPH) == []
+    graph = own_imports()
+    assert len(graph) > 500
+    assert graph["flowlanes.system.system"] >= {"flowlanes.system.vectors"}
+    assert circles(graph) == []
 
 
 @pytest.mark.parametrize("depth", [1, 2, 3])
 def test_packages_and_folders_form_no_circle(depth: int) -> None:
-    graph = folded(GRAPH, NAMED, depth)
+    graph = folded(own_imports(), own_modules(), depth)
     assert circles(graph) == []
 
 
 def test_packages_import_those_before_them() -> None:
-    graph = folded(GRAPH, NAMED, 1)
+    graph = folded(own_imports(), own_modules(), 1)
     assert graph["nonholonomic"] == {"flowlanes", "lawproof"}
     for name, targets in graph.items():
         assert targets <= set(ORDER[: ORDER.index(name)]), name
@@ -135,7 +145,7 @@ def test_a_public_name_has_one_home() -> None:
     for package in ("flowlanes", "lawproof", "nonholonomic", "chaplygin"):
         door = import_module(package)
         homes = defaultdict(list)
-        for module, path in NAMED.items():
+        for module, path in own_modules().items():
             # a section of the audit names its functions after the claims of the paper
             if not module.startswith("borisov_mamaev_2008.section_"):
                 for name in _defined(path):
@@ -187,6 +197,54 @@ def test_no_module_replaces_a_name_of_its_folder(tmp_path: Path) -> None:
         (tmp_path / f"{name}.py").write_text(text)
     assert hidden_by_modules(tmp_path) == [f"{tmp_path.name}.b"]
     assert [name for home in HOMES.values() for name in hidden_by_modules(home)] == []
+
+
+#: Files that turn vectors into components themselves: what makes formulas may, what computes takes
+#: the scalar form of a system.  The number may only fall.
+FILES_WITH_COMPONENTS = 38
+
+
+def test_few_files_turn_vectors_into_components() -> None:
+    word = re.compile(r"\bto_components\b")
+    found = [str(path) for path in files() if word.search(path.read_text(encoding="utf-8"))]
+    assert len(found) <= FILES_WITH_COMPONENTS, found
+
+
+def imported_names(text: str) -> set[str]:
+    """The modules, and the names in modules, that a text imports: programs in strings as well."""
+    found = set()
+    for module, names, plain in re.findall(
+        r"^[ \t\"']*(?:from ([\w.]+) import (?:\(\n)?(.*)|import ([\w.]+))", text, re.MULTILINE
+    ):
+        found |= (
+            {plain} if plain else {module, *(f"{module}.{n}" for n in re.findall(r"\w+", names))}
+        )
+    return found
+
+
+def test_imports_of_a_text_are_seen() -> None:
+    text = "from a import b, c\nimport d.e\nfrom f.g import (\n    h,\n)\nP = 'import k'\n"
+    assert imported_names(text) >= {"a", "a.b", "a.c", "d.e", "f.g"}
+    assert imported_names("    'from chaplygin import x; '") >= {"chaplygin"}
+
+
+def test_tests_stand_with_a_package_that_has_all_they_need() -> None:
+    """Tests and their helpers import no later package, nor the helpers of its tests."""
+    homes = {name: home.parents[1] / "tests" for name, home in HOMES.items()}
+    helpers = {
+        ".".join(path.relative_to(home).with_suffix("").parts): place
+        for place, home in enumerate(homes.values())
+        for path in home.rglob("*.py")
+    }
+    wrong = []
+    for place, home in enumerate(homes.values()):
+        for path in home.rglob("*.py"):
+            taken = imported_names(path.read_text(encoding="utf-8"))
+            later = {name for name in taken if helpers.get(name, 0) > place}
+            later |= {name for name in taken if name.split(".")[0] in ORDER[place + 1 :]}
+            if later:
+                wrong.append(f"{path.relative_to(ROOT)}: {', '.join(sorted(later))}")
+    assert wrong == []
 
 
 def test_tests_do_not_hide_a_package() -> None:

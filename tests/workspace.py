@@ -65,6 +65,18 @@ def modules(homes: Mapping[str, Path]) -> dict[str, Path]:
     return {module_name(path, home): path for home in homes.values() for path in home.rglob("*.py")}
 
 
+@cache
+def own_modules() -> dict[str, Path]:
+    """Files of the workspace by the dotted names of the modules."""
+    return modules(HOMES)
+
+
+@cache
+def own_imports() -> dict[str, set[str]]:
+    """Which module of the workspace imports which; nothing is read before a test asks."""
+    return imports(HOMES)
+
+
 def imports(homes: Mapping[str, Path]) -> dict[str, set[str]]:
     """Which module imports which: at the top, in a function, for types alone, and by its name.
 

@@ -36,6 +36,12 @@ def numeric(
     return at
 
 
+def drift(values: Any) -> float:
+    """Largest change of values, relative to the first unless that is zero."""
+    numbers = [x - values[0] for x in values]
+    return float(max(map(abs, numbers)) / (abs(values[0]) or 1))
+
+
 def jacobian(field: Callable[[Any], Any], state: Any) -> Any:
     """Derivative of an analytic vector function, by an imaginary step that costs no digits."""
     columns = []

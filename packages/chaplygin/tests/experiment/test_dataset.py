@@ -22,6 +22,7 @@ from flowlanes.errors import InputError
 from needs import optional
 from nonholonomic.catalogue import CATALOGUE
 from spread import spread
+from studies import catalogue_study
 
 DIMENSIONS = {
     "omega": ("time", "axis"),
@@ -95,7 +96,7 @@ def test_every_variable_says_what_it_is(name):
             assert variable.attrs["frame"] == "body axes"
         if "space" in variable.dims[1:]:
             assert variable.attrs["frame"] == "space axes"
-    for law in built.study(name).system_on_level.integrals:
+    for law in catalogue_study(name).system_on_level.integrals:
         assert made[f"law_{law.name}"].attrs["source"] == law.source
         assert made[f"law_{law.name}"].attrs["long_name"] == law.meaning
 

@@ -20,6 +20,7 @@ from nonholonomic.mechanics.shapes.revolution import ShapeOfRevolution
 from nonholonomic.mechanics.shapes.shapes import Ball, Disk, Ellipsoid, Torus
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
 from spread import spread
+from studies import catalogue_study
 
 BODY = """\
 [body]
@@ -182,7 +183,7 @@ def test_a_potential_acts():
 @pytest.mark.slow
 @pytest.mark.parametrize("name", CATALOGUE)
 def test_a_name_is_enough(name):
-    made = built.study(name)
+    made = catalogue_study(name)
     item = CATALOGUE[name]
     assert made.subject.summary == item.summary
     assert made.system == built.system(name)
@@ -299,7 +300,7 @@ def test_a_dense_trajectory_on_request():
 @pytest.mark.slow
 @pytest.mark.parametrize("name", spread(CATALOGUE))
 def test_the_complete_file_of_the_catalogue_makes_the_same_study(name):
-    made = built.study(name)
+    made = catalogue_study(name)
     again = Study.from_experiment(parse_experiment(made.complete_toml()))
     assert again.system == made.system
     assert again.start == made.start

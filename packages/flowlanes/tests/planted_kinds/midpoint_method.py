@@ -14,7 +14,7 @@ from flowlanes.formulas.array_formulas import Formulas
 from flowlanes.system.parameters import parameter_values
 
 #: Steps between two times that are asked for, and iterations of each.
-STEPS, ITERATIONS = 64, 40
+STEPS, ITERATIONS = 64, 8
 
 
 class ImplicitMidpoint(IntegrationMethod):

@@ -9,12 +9,13 @@ import pytest
 from catalogue import built
 from chaplygin.experiment.models.experiment import load_experiment
 from chaplygin.experiment.study import Study
+from studies import catalogue_study
 
 EXAMPLES = Path(__file__).parents[5] / "examples"
 
 
 def test_a_body_about_a_fixed_point_touches_nothing() -> None:
-    words = built.study("veselova").subject.legend
+    words = catalogue_study("veselova").subject.legend
     assert "γ unit vector fixed in space" in words
     assert "contact" not in words
     assert "surface" not in words
@@ -23,14 +24,14 @@ def test_a_body_about_a_fixed_point_touches_nothing() -> None:
 
 
 def test_a_ball_under_a_constraint_of_its_own() -> None:
-    words = built.study("chaplygin-suslov-ball").subject.legend
+    words = catalogue_study("chaplygin-suslov-ball").subject.legend
     for part in ("p angular acceleration by a unit torque about e", "q the same by one about γ"):
         assert part in words
     assert "γ outward normal of the plane at the contact" in words
 
 
 def test_a_rolling_body() -> None:
-    words = built.study("rubber-body").subject.legend
+    words = catalogue_study("rubber-body").subject.legend
     for part in (
         "J inertia tensor about the contact point, plus m r ⊗ r",
         "X torque other than that of the constraints",
@@ -45,7 +46,7 @@ def test_a_rolling_body() -> None:
 def test_every_letter_of_the_equations_has_words(name: str) -> None:
     """But for parameters, which have a table of their own, and rates with a dot."""
     system = built.system(name)
-    words = built.study(name).subject.legend
+    words = catalogue_study(name).subject.legend
     sentence = {part.split()[0] for part in words.removeprefix("In body axes: ").split("; ")}
     for letter in ("ω", "γ", "J", "A", "X", "p", "q", "λ₀"):
         shown = str(system).partition("Parameters")[0]

@@ -27,7 +27,9 @@ def test_the_measure_of_any_inertia_is_proven(identity, n):
     assert prove(identity(n), "measure").decision == "proven"
 
 
-@pytest.mark.parametrize("n", [3, 4, 5, 6])
+@pytest.mark.parametrize(
+    "n", [3, 4, pytest.param(5, marks=pytest.mark.slow), pytest.param(6, marks=pytest.mark.slow)]
+)
 @pytest.mark.parametrize("identity", [any_inertia.energy_of_ball, any_inertia.energy_of_veselova])
 def test_the_energy_is_constant_for_any_inertia(identity, n):
     assert prove(identity(n), "energy").decision == "proven"

@@ -32,7 +32,11 @@ def test_jellett_is_kept_by_any_force(body: nonholonomic.Body) -> None:
     assert lawproof.prove(free_contact(body), jellett(body)).decision == "proven"
 
 
-@BODIES
+@pytest.mark.parametrize(
+    "body",
+    [pytest.param(TOP, marks=pytest.mark.slow), ROTOR_TOP],
+    ids=["top", "with rotor"],
+)
 def test_what_a_couple_does_to_jellett(body: nonholonomic.Body) -> None:
     system = free_contact(body, couple=ANY_COUPLE)
     assert lawproof.prove(system, couple_on_jellett(body)).decision == "proven"
