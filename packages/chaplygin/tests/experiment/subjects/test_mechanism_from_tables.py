@@ -174,7 +174,7 @@ def test_laws_of_a_file_are_claims() -> None:
 
 
 def test_laws_may_hold_on_a_level() -> None:
-    level = '[laws.integrals.flat]\nvalue = "x + y"\non = ["z"]\n'
+    level = '[laws.integrals.flat]\nvalue = "x + y"\nlevel = ["z"]\n'
     law = next(law for law in study(VOLTERRA + level).system.laws if law.name == "flat")
     assert law.level == (real_symbol("z"),)
 
