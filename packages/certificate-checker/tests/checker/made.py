@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
-import sympy as sp
+from flint import Ordering, fmpq_mpoly_ctx
 
 
 def poly(text: str, ring: list[str]) -> list[Any]:
     """A polynomial as a list of terms."""
-    symbols = sp.symbols(ring) if ring else []
-    table = dict(zip(ring, symbols, strict=True))
-    expanded = sp.Poly(sp.sympify(text, locals=table), *symbols, domain="QQ")
+    context = fmpq_mpoly_ctx.get(ring, Ordering.lex)
+    names = dict(zip(ring, context.gens(), strict=True))
+    # numbers other than exponents are exact
+    exact = re.sub(r"(?<!\*\*)\b\d+\b", lambda digits: f"constant({digits[0]})", text)
+    expanded = eval(exact, {"constant": context.constant}, names)
     return [
-        [str(c), [x for i, n in enumerate(powers) if n for x in (i, n)]]
+        [str(c), [x for i, n in enumerate(powers) if n for x in (i, int(n))]]
         for powers, c in expanded.terms()
-        if c
     ]
 
 
