@@ -149,7 +149,7 @@ def test_an_interrupted_study_is_not_integrated_again(
         patched.setattr(folders.page, "render", interrupted)
         assert ask(*SHORT, "--quick", "-o", "parts")[0] == 130
     with monkeypatch.context() as patched:
-        patched.setattr("chaplygin.experiment.subjects.subject.integrate", refused)
+        patched.setattr("flowlanes.flow.integrator.integrate", refused)
         code, _, err = ask(*SHORT, "--quick", "-o", "parts")
     assert code == 0, err
     pages = [(tmp_path / name / "report.html").read_text() for name in ("whole", "parts")]

@@ -308,11 +308,11 @@ def test_a_full_disk_spares_the_older_file(tmp_path, dataset, monkeypatch):
 PROGRAM = """
 import resource, sys
 from flowlanes.errors import InputError
-from chaplygin.experiment.dataset import read, write
-dataset = read(sys.argv[1])
+from chaplygin.experiment.dataset import open_dataset, write_dataset
+dataset = open_dataset(sys.argv[1])
 resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[3]), int(sys.argv[3])))
 try:
-    write(dataset, sys.argv[2])
+    write_dataset(dataset, sys.argv[2])
 except InputError as error:
     print(error)
 """
