@@ -14,6 +14,7 @@ from names import PACKAGES, home_of
 #: The folders of the packages by what their names are for, in the order of a study.
 SUBJECTS = {
     "nonholonomic.mechanics": "Bodies, surfaces, mechanisms",
+    "nonholonomic.starts": "Starts",
     "nonholonomic.catalogue": "The catalogue",
     "nonholonomic.classification": "The hierarchy of dynamics",
     "nonholonomic.invariant_measures": "Invariant measures",

@@ -19,7 +19,6 @@ from chaplygin import Forces, System
 from flowlanes.flow.initial_states import flat_starts
 from flowlanes.flow.machine_code import code_cache as cache
 from flowlanes.flow.taylor.heyoka_expressions import Translator
-from nonholonomic.catalogue.bodies import unbalanced_ball
 
 __all__ = ["BEYOND", "BODIES", "Body", "deviation", "rows"]
 
@@ -190,7 +189,8 @@ def _reduced(system: System) -> System:
 def _bodies() -> dict[str, Body]:
     catalogue = nonholonomic.CATALOGUE
     ball, ellipsoid = catalogue["chaplygin-ball"].system(), catalogue["marble-body"].system()
-    rolling = unbalanced_ball.build(dict(catalogue["unbalanced-ball"].defaults))
+    rolling = catalogue["unbalanced-ball"].rolling()
+    assert rolling is not None
     heavy = replace(rolling, field=Forces(GRAVITY)).system("heavy-unbalanced-ball")
     made = (
         Body("chaplygin-ball", _reduced(ball), span=20.0, long=1000.0, short=5.0),

@@ -12,6 +12,7 @@ import pytest
 
 import borisov_mamaev_2008.audit
 import chaplygin
+import nonholonomic
 from borisov_mamaev_2008 import Claim
 from borisov_mamaev_2008.audit import Judgement
 from chaplygin.experiment.models.schema import experiment_schema
@@ -43,7 +44,7 @@ def test_an_exhibit_has_laws_file_and_live_page(tmp_path: Path) -> None:
 
 def test_every_system_and_every_experiment_is_an_exhibit() -> None:
     names = [what for _, what in import_module("exhibits").sources()]
-    assert set(chaplygin.CATALOGUE) <= set(names)
+    assert set(nonholonomic.CATALOGUE) <= set(names)
     files = {
         p.relative_to(WEBSITE.parent).as_posix() for p in WEBSITE.parent.glob("examples/**/*.toml")
     }

@@ -45,11 +45,13 @@ def test_a_parameter_of_a_file_alone_by_its_name(ask: Ask) -> None:
     [
         (
             ("--set", "system.parameters.I_1=-1"),
-            "--set system.parameters.I_1: inertia: principal moments -1, 1.5, 2.1 must all be pos",
+            "--set system.parameters.I_1: chaplygin-ball, body.inertia: principal moments -1, 1.5, "
+            "2.1 must all be pos",
         ),
         (
             ("--set", "I_1=-1", "--set", "I_2=3"),
-            "--set I_1 --set I_2: inertia: principal moments -1, 2.1, 3 must all be positive",
+            "--set I_1 --set I_2: chaplygin-ball, body.inertia: principal moments -1, 2.1, 3 must "
+            "all be positive",
         ),
         (
             ("--set", "I_9=2"),

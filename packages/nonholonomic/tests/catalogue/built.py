@@ -14,7 +14,7 @@ from flowlanes.flow.initial_states import whole_start
 from flowlanes.system.system import System
 from nonholonomic.catalogue import CATALOGUE, Entry
 from nonholonomic.mechanics.rolling.equations import RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
+from nonholonomic.starts import initial_state
 
 NAMES = tuple(CATALOGUE)
 

@@ -77,7 +77,7 @@ def test_every_relation_must_be_kept() -> None:
     assert "residual" in _refused(made)
     made = certificate()
     made["rates"]["constraints"] = [3]
-    assert "whole number from 0 to 0" in _refused(made)
+    assert "integer from 0 to 0" in _refused(made)
 
 
 def test_a_level_or_another_kind_of_law_is_refused() -> None:

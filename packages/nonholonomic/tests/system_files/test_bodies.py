@@ -69,7 +69,7 @@ def test_numbers_are_formulas_in_the_parameters() -> None:
     assert (body.shape.radius, body.shape.centre) == (0.5, (0.0, 0.0, 0.1))
     assert rolling.surface.signed_radius == 2.0
     assert field.gravity == 4.905
-    assert [value for _, value in field.values] == [0.2]
+    assert [p.default for p in field.parameters] == [0.2]
 
 
 def test_a_number_by_itself_keeps_all_its_digits() -> None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from flowlanes.errors import InputError
-from flowlanes.system.system import System
+from flowlanes.system.isomorphism import Isomorphism
+from flowlanes.system.laws import Law
+from flowlanes.system.system import System, VariablesByName
 from nonholonomic.catalogue import entry
 from nonholonomic.catalogue.entry_files import entry_file, paths
 from nonholonomic.catalogue.systems import catalogue_system
@@ -40,7 +43,7 @@ def catalogue_text(study: Study) -> str:
     # the printed text reads back to the same system
     try:
         text = system_text(study.system, _further(study, name), catalogue_system)
-        if Study.from_experiment(parse_experiment(text)).system != study.system:
+        if not same_equations(Study.from_experiment(parse_experiment(text)).system, study.system):
             raise InputError("it does not read back to the same system")
         return text
     except InputError as error:
@@ -49,6 +52,26 @@ def catalogue_text(study: Study) -> str:
             f"--as toml: {name} cannot be written as a file of equations, since {reason}; a file "
             f'with system = {{ name = "{name}" }} names it'
         ) from None
+
+
+def same_equations(one: System, other: System) -> bool:
+    """True if two systems differ in their conventions for starts and metadata at most.
+
+    A file says nothing of these: the conventions follow from the kind of experiment.
+    """
+    return _plain(one) == _plain(other)
+
+
+def _plain(system: System) -> System:
+    """A system, and those onto which its laws lead, with the conventions of any system."""
+    return replace(system, conventions=VariablesByName(), laws=tuple(map(_plain_law, system.laws)))
+
+
+def _plain_law(law: Law) -> Law:
+    if not isinstance(law, Isomorphism):
+        return law
+    printed = None if law.as_printed is None else _plain_law(law.as_printed)
+    return replace(law, target=_plain(law.target), as_printed=printed)
 
 
 def _further(study: Study, name: str) -> dict[str, Any]:

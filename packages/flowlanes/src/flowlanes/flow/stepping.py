@@ -39,6 +39,15 @@ class Stepper:
     inputs : tuple of str
         Names of the parameters that a call may change.
     tolerance : float
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> import sympy as sp
+    >>> x, v = sp.symbols("x v", real=True)
+    >>> oscillator = flowlanes.System("oscillator", "Oscillator", {x: v, v: -x})
+    >>> flowlanes.flow.stepper(oscillator)
+    <Stepper of oscillator: tolerance 1e-13>
     """
 
     def __init__(

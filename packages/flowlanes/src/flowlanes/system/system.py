@@ -356,6 +356,12 @@ class VariablesByName(Conventions):
     >>> pendulum = flowlanes.System("pendulum", "Pendulum", {x: v, v: -sp.sin(x)})
     >>> pendulum.conventions
     VariablesByName()
+
+    Examples
+    --------
+    >>> import flowlanes
+    >>> flowlanes.system.VariablesByName().start_formulas
+    ()
     """
 
     @property

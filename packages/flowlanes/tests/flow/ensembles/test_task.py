@@ -362,8 +362,8 @@ def test_a_full_disk_keeps_what_was_written(
     with pytest.raises(IncompleteError) as told:
         compute(task(), tmp_path / "a.zarr")
     assert str(told.value) == (
-        f"{tmp_path / 'a.zarr'}: the disk is full; 2 of 4 blocks are written and stay: put right "
-        "what is wrong, and run the same again"
+        f"{tmp_path / 'a.zarr'}: the disk is full; 2 of 4 blocks are written and stay: remove "
+        "the cause, and run the same again"
     )
     monkeypatch.undo()
     same(compute(task()), compute(task(), tmp_path / "a.zarr"))

@@ -15,9 +15,9 @@ from nonholonomic.closed_form.base.problem import Problem
 from nonholonomic.closed_form.solvable_cases import solution_of
 from nonholonomic.mechanics.rolling.body import Body
 from nonholonomic.mechanics.rolling.equations import Forces, RollingBody
-from nonholonomic.mechanics.rolling.initial_state import initial_state
 from nonholonomic.mechanics.shapes.shapes import Ball
 from nonholonomic.mechanics.shapes.surfaces import Plane, Sphere
+from nonholonomic.starts import initial_state
 
 GAMMA = (0.36, -0.48, 0.8)
 

@@ -14,8 +14,8 @@ from nonholonomic.contact import (
     Coulomb,
     FrictionalContact,
     contact_motion,
-    start_in_contact,
 )
+from nonholonomic.starts import initial_state
 
 A, M, G = 0.0375, 0.44, 9.81
 DISK = nonholonomic.Body(M, (M * A**2 / 4, M * A**2 / 4, M * A**2 / 2), nonholonomic.Disk(A))
@@ -29,7 +29,7 @@ def test_a_whirling_disk_loses_what_moffatt_says(angle: float) -> None:
     )
     turn = 2 * math.sqrt(G * math.sin(angle) / A)
     gamma = [math.sin(angle), 0.0, math.cos(angle)]
-    state = start_in_contact(contact, [turn, 0.0, 0.0], gamma)
+    state = initial_state(contact, [turn, 0.0, 0.0], gamma)
     motion = contact_motion(contact, state, [0.0, 1e-9])
     lost = motion["power_lost"][0]
     np.testing.assert_allclose(lost, math.pi * eta * G * A**2 / math.tan(angle) ** 2, rtol=1e-12)
