@@ -74,6 +74,9 @@ class Stepper:
         self._relations = relation_terms(system)
         self._last: npt.ArrayLike | None = None
 
+    def __reduce__(self) -> tuple[type[Stepper], tuple[object, ...]]:
+        return Stepper, (self.system, self.inputs, self.tolerance, self._constants[0, :, 0])
+
     def __repr__(self) -> str:
         changing = f", inputs {', '.join(self.inputs)}" if self.inputs else ""
         return f"<Stepper of {self.system.name}: tolerance {self.tolerance:g}{changing}>"
