@@ -15,7 +15,7 @@ SOURCES := $(wildcard packages/*/pyproject.toml requirements/*.txt) constraints.
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help demo test alone slow pages check lint types format site dist web pictures bench clean
+.PHONY: help demo test alone slow pages check lint types format site dist web answers pictures bench clean
 
 # A virtual environment knows its own address: in a folder that was moved or copied it is made anew.
 ifneq ($(shell cat $(VENV)/address 2>/dev/null),$(CURDIR))
@@ -72,6 +72,9 @@ dist: $(VENV)/release ## build the wheels and the source archives into dist/, ch
 
 web: ## check and build the front end of the laboratory; needs Node
 	@sh scripts/front_end.sh
+
+answers: $(VENV)/core ## compute the answers of show and prove that come with the package
+	@$(BIN)/python scripts/answers.py
 
 pictures: $(VENV)/core ## draw the pictures of the README again
 	@set -e; for name in rattleback coin ball_in_a_bowl; do \
