@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -17,12 +18,15 @@ EXAMPLES = Path(__file__).parents[4] / "examples"
 
 
 def without_times(answers: dict[str, Answer]) -> dict[str, Answer]:
-    """The same answers, without the seconds that proofs took."""
+    """The same answers as JSON holds them, without the seconds that proofs took."""
+    plain: dict[str, Answer] = {}
     for command, answer in answers.items():
+        content = json.loads(json.dumps(answer.content))
         if command.startswith("prove"):
-            for verdict in answer.content:
+            for verdict in content:
                 del verdict["record"]["seconds"]
-    return answers
+        plain[command] = Answer(answer.remarks, content)
+    return plain
 
 
 def test_every_system_has_answers() -> None:
