@@ -62,6 +62,10 @@ def reads_back(name: str) -> str:
     # the start of a ball is written as the state that follows from its place
     assert list(map(float, again.start)) == pytest.approx(list(map(float, study.start)), rel=1e-14)
     assert again.until == study.until
+    # what a file of the motion has as its experiment
+    kept = Study.from_experiment(parse_experiment(again.complete_toml())).system
+    assert replace(kept, laws=()) == replace(again.system, laws=())
+    assert {law.name for law in kept.laws} == {law.name for law in again.system.laws}
     return ""
 
 

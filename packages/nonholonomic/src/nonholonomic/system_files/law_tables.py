@@ -79,7 +79,13 @@ class LawTable(Table):
 
     @model_serializer(mode="wrap")
     def _as_given(self, serialise: Callable[[Self], Tables]) -> object:
-        return {k: v for k, v in serialise(self).items() if v not in (None, "", (), [], {})}
+        # an empty table is a value where none would be no table, as for a measure of density 1
+        tables = {name for name, field in type(self).model_fields.items() if field.default is None}
+        return {
+            key: value
+            for key, value in serialise(self).items()
+            if value not in (None, "", (), [], {}) or (value == {} and key in tables)
+        }
 
 
 class _ValueTable(LawTable, ValueWithNotes):

@@ -47,8 +47,9 @@ _LAST = (
     "letters", "plan", "start", "run",
 )  # fmt: skip
 
-#: Tables whose entries stand on one line each.
-_OF_LINES = ("parameters", "variables", "observables")
+#: Tables whose entries stand on one line each.  A definition may use those before it, so that their
+#: order counts, which tables of their own below the others would change.
+_OF_LINES = ("parameters", "definitions", "variables", "observables")
 _LONGEST = 88
 
 
