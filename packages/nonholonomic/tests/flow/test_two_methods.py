@@ -20,7 +20,6 @@ SYSTEMS = [
 ]
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_lanes_and_collocation_agree(name: str) -> None:
     """From the start that the catalogue names; neither ends before its time."""
