@@ -27,7 +27,7 @@ def check(certificate: object) -> None:
     Parameters
     ----------
     certificate : mapping
-        As returned by :func:`json.load`.
+        As returned by ``json.load``.
 
     Raises
     ------

@@ -94,7 +94,7 @@ def _require_readable(path: Path) -> None:
 
 @arguments_checked
 def open_dataset(path: str | Path) -> xr.Dataset:
-    """Read a dataset written by :func:`write_dataset` to NetCDF or Zarr, into memory.
+    """Read a dataset written by ``write_dataset`` to NetCDF or Zarr, into memory.
 
     Parameters
     ----------
