@@ -396,7 +396,7 @@ class Sphere(Surface):
         return Placement(centre=point - turn * to_components(reach), point=point)
 
     def equation(self, point: Sequence[sp.Symbol]) -> sp.Expr:
-        """|x| − a outside; −a − |x| inside, where a is negative."""
+        """√(x, x) − a outside; −a − √(x, x) inside, where a is negative."""
         distance = sp.sqrt(sum(s**2 for s in point))
         return distance - a if self.side == "outside" else -a - distance
 
