@@ -325,12 +325,12 @@ main()
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("show", "veselova"),
+        ("show", "veselova", "--again"),
         ("run", "veselova", "-o", "x.nc"),
         ("study", "trailers"),
         ("solve", "veselova"),
         ("find", "integrals", "veselova"),
-        ("prove", "veselova"),
+        ("prove", "veselova", "--again"),
         ("ensemble", "veselova", "--over", "I_1=1:2:2", "-o", "x.zarr"),
         ("sweep", "veselova", "--over", "I_1=1:2:2", "-o", "x.zarr"),
         ("section", "veselova", "--on", "gamma_3", "-o", "x.zarr"),
