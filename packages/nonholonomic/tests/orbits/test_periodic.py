@@ -9,7 +9,7 @@ from flow.known_maps import HENON, STANDARD, TWIST
 from flowlanes.errors import InputError
 from flowlanes.flow.kernel.equations import poincare_section
 from flowlanes.flow.sections.poincare_map import PoincareMap
-from flowlanes.orbits.floquet import stability
+from flowlanes.orbits.floquet import stability_type
 from flowlanes.orbits.periodic import NoOrbitError, find_periodic
 from flowlanes.orbits.return_map import ReturnMap, parameters_to_state
 from nonholonomic.catalogue import from_catalogue
@@ -75,7 +75,7 @@ def test_family_is_reached_where_it_is_next():
     ],
 )
 def test_kinds(values, kind):
-    assert stability(np.array(values, dtype=complex), np.full(len(values), 1e-9)) == kind
+    assert stability_type(np.array(values, dtype=complex), np.full(len(values), 1e-9)) == kind
 
 
 @pytest.mark.slow

@@ -180,7 +180,7 @@ def differentiated() -> Case:
 
 
 def lagrange() -> Case:
-    """(1.6) is (1.3) with Q = −∂U/∂q."""
+    """Check that Lagrange's equations (1.6) follow from (1.3) with Q = −∂U/∂q."""
     potential = sp.Function("U")(*q.symbols)
     force = -gradient(potential, q)
     energy = HALF * (SPEED.T * MATRIX * SPEED)[0] - potential

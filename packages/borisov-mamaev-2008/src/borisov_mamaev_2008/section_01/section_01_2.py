@@ -44,7 +44,7 @@ def frame() -> sp.ImmutableDenseMatrix:
 
 @cache
 def motion() -> System:
-    """An arbitrary curve, given by its velocity w in the frame."""
+    """A system that moves along any curve, with arbitrary velocity components w in the frame."""
     return _motion(frame())
 
 

@@ -98,7 +98,10 @@ def rational_rotation() -> sp.ImmutableDenseMatrix:
 
 
 def turning() -> Case:
-    """The rate of any function of the attitude is Σ ω_k ξ_k applied to it."""
+    """Check that the rate of any function of the attitude is Σ ω_k ξ_k applied to it.
+
+    The ξ_k are the rotation fields.
+    """
     function = sp.Function("h_f")(*COORDINATES[:9])
     total = sp.Add(*(w * lie_derivative(rotation_field(k), function) for k, w in enumerate(omega)))
     return body(), Identity("turning", Rate(function) - total)

@@ -110,8 +110,11 @@ def particle() -> Case:
     return rubber(), law_named(rubber(), "particle")
 
 
-def on_surface() -> Case:
-    """A particle on the surface with Lagrange's multiplier preserves (v, n) = 0 and f."""
+def lagrange_multiplier_equations() -> Case:
+    """Check Lagrange's equations with a multiplier for a particle on the surface.
+
+    m̃v̇ − F is along the normal n of the surface, and (v, n) = 0 is preserved.
+    """
     gathered = EFFECTIVE_MASS * rate(v) - F
     across = cross(gathered, n)
     tangent = (dot(v, n), Rate(dot(v, n)))
@@ -131,7 +134,7 @@ def reaction() -> Case:
 
 
 def spin() -> Case:
-    """b²ω = v×r."""
+    """Check b²ω = v × r for the rubber ball."""
     return rubber(), Identity("spin", b**2 * omega - cross(v, r))
 
 
@@ -249,7 +252,7 @@ CLAIMS = (
         "Remark 6",
         "equations (2.9) are the equations of motion of a particle on a surface with undetermined "
         "Lagrange multipliers",
-        on_surface,
+        lagrange_multiplier_equations,
         note="m̃v̇ − F is along n and keeps (v, n) = 0",
     ),
     Claim(

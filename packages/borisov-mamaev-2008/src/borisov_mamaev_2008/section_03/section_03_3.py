@@ -77,7 +77,7 @@ def jacobi_corrected() -> Case:
 
 
 def bracket_of_functions() -> Case:
-    """ḟ = {f, H} along (3.5)."""
+    """Check that ḟ = {f, H} holds along (3.5) for any function f."""
     return hamiltonian(J, H, x), Identity("rate", Rate(f) - bracket(J, f, H, x))
 
 
@@ -85,7 +85,7 @@ def bracket_of_functions() -> Case:
 
 
 def energy() -> Case:
-    """H along (3.5), with any skew-symmetric J."""
+    """Check that H is constant along (3.5) for any skew-symmetric J."""
     return hamiltonian(J, H, x), Integral("hamiltonian", H)
 
 
@@ -204,8 +204,8 @@ def tensor_invariant() -> Case:
     return hamiltonian(K, H, z), Identity("lie_derivative", residuals)
 
 
-def no_conservation_laws() -> Verdict:
-    """H is an integral of (3.5) for every skew-symmetric J."""
+def refuted_no_conservation_law() -> Verdict:
+    """Refute the absence of conservation laws: H is an integral for every skew-symmetric J."""
     return contrary(prove(hamiltonian(J, H, x), Integral("hamiltonian", H)))
 
 
@@ -273,7 +273,7 @@ CLAIMS = (
         "Remark 8, no conservation laws",
         r"The form (3.5) with a skew-symmetric $\mathbf{J}$ that does not obey Jacobi's identity "
         "implies no conservation laws",
-        no_conservation_laws,
+        refuted_no_conservation_law,
         one_conservation_law,
         "It implies the conservation of $H$, by skew symmetry alone",
         "H is conserved for every skew-symmetric J",

@@ -76,7 +76,10 @@ def local_casimirs() -> Case:
 
 
 def canonical_form() -> Case:
-    """q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q with the canonical bracket, for two degrees of freedom."""
+    """Check that q̇ = N ∂H/∂p, ṗ = −N ∂H/∂q is conformally Hamiltonian in the canonical bracket.
+
+    For two degrees of freedom.
+    """
     state = DARBOUX[:4]
     one, nothing = sp.eye(2), sp.zeros(2)
     matrix = nothing.row_join(one).col_join((-one).row_join(nothing))

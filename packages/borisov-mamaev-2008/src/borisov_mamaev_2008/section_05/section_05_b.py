@@ -48,7 +48,11 @@ def determinant() -> Case:
 
 
 def proposition() -> Case:
-    """On a level θ̇² and φ̇ are functions of θ, and φ̇ has the sign of k ≠ 0; the form on tori."""
+    """Check Proposition 5.
+
+    On a level, θ̇² and φ̇ are functions of θ, and φ̇ has the sign of k ≠ 0. The motion on tori has a
+    Hamiltonian form of rank two.
+    """
     return quadratures(), nowhere_zero(), *of_rank_two()
 
 

@@ -89,8 +89,8 @@ def constraint() -> Case:
 # --- (6.7), (6.8) --------------------------------------------------------------------------
 
 
-def residues() -> tuple[sp.Expr, sp.Expr]:
-    """Left-hand sides of (6.7)."""
+def lagrange_left_sides() -> tuple[sp.Expr, sp.Expr]:
+    """Left-hand sides of Lagrange's equations (6.7)."""
     first, second = (
         Rate(sp.diff(T, s)) - sp.diff(T, q) + slope_of_potential(q)
         for q, s in zip(ANGLES, RATES, strict=True)
@@ -100,13 +100,13 @@ def residues() -> tuple[sp.Expr, sp.Expr]:
 
 def with_some_s() -> Case:
     """The left-hand sides are φ̇S and −θ̇S with one S."""
-    first, second = residues()
+    first, second = lagrange_left_sides()
     return body(), Identity("chaplygin", first * thetadot + second * phidot)
 
 
 def chaplygin(value: sp.Expr) -> Identity:
     """(6.7) with a given S."""
-    first, second = residues()
+    first, second = lagrange_left_sides()
     return Identity("chaplygin", (first - phidot * value, second + thetadot * value))
 
 

@@ -89,8 +89,8 @@ def first_case_l(sign: int) -> Case:
     return off_level(), Identity("L", rate(L) - sign * sp.sqrt(DET) * value)
 
 
-def eq_6_13_constant() -> Case:
-    """The constant c of (6.13): (IL, L)/(s, I⁻¹s) = M²(Γ, IΓ)."""
+def value_of_constant_6_13() -> Case:
+    """Check the value of the constant of (6.13): (IL, L)/(s, I⁻¹s) = M²(Γ, IΓ)."""
     value = dot(I * L, L) / dot(S, I**-1 * S) - norm_squared(M) * dot(Gamma, I * Gamma)
     return off_level(), Identity("c", value)
 
@@ -233,7 +233,7 @@ CLAIMS = (
     Claim(
         "Proposition 6, proof, c",
         r"$\frac{(IL, L)}{(s, I^{-1}s)} = M^2(\Gamma, I\Gamma) = c\det I$",
-        eq_6_13_constant,
+        value_of_constant_6_13,
     ),
     Claim(
         "§6.3, before (6.13)",

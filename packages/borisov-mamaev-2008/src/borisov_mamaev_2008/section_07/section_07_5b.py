@@ -30,8 +30,14 @@ SAME_DENSITY = r"with the corrected $\rho_\mu = (1 - D(\gamma, J^{-1}\gamma))^{1
 
 
 @cache
-def ball(density: sp.Expr) -> System:
-    """The ball without a field, with Q = Iω and K = ρQ for a density ρ."""
+def ball_with_density(density: sp.Expr) -> System:
+    """The ball without a field, with ρ, Q = Iω and K = ρQ.
+
+    Parameters
+    ----------
+    density : Expr
+        Formula for ρ, the density of the invariant measure.
+    """
     system = CATALOGUE["chaplygin-ball"].system()
     further = ((rho, density), (Q, I * omega), (K, rho * Q))
     return replace(system, definitions=system.definitions + further, laws=())
@@ -40,7 +46,7 @@ def ball(density: sp.Expr) -> System:
 @cache
 def rightly() -> System:
     """The ball with ρ = (1 − D(γ, J⁻¹γ))^(1/2)."""
-    return ball(sp.sqrt(1 - D * dot(gamma, A * gamma)))
+    return ball_with_density(sp.sqrt(1 - D * dot(gamma, A * gamma)))
 
 
 RATE_OF_DENSITY = Identity("density", Rate(rho) + D * dot(cross(gamma, omega), A * gamma) / rho)
@@ -48,7 +54,7 @@ RATE_OF_DENSITY = Identity("density", Rate(rho) + D * dot(cross(gamma, omega), A
 
 def density_printed() -> Case:
     """The rate of ρ_μ of (7.3)."""
-    return ball(DENSITY), RATE_OF_DENSITY
+    return ball_with_density(DENSITY), RATE_OF_DENSITY
 
 
 def density() -> Case:
@@ -77,7 +83,7 @@ def level() -> Case:
     return (
         (rightly(), Identity("level", dot(Q, gamma) - dot(M, gamma))),
         (rightly(), Identity("level", dot(K, gamma), level=AREA)),
-        (ball(DENSITY), Identity("level", dot(K, gamma), level=AREA)),
+        (ball_with_density(DENSITY), Identity("level", dot(K, gamma), level=AREA)),
     )
 
 

@@ -107,8 +107,8 @@ def second() -> Case:
     return reduced(), Identity("second", excess, "square of the ball's momentum")
 
 
-def second_as_printed() -> Case:
-    """The formula compared with F₂ of (8.3), which vanishes on this orbit."""
+def second_integral_as_printed() -> Case:
+    """Check the printed formula, which is F₂ of (8.3), as zero on this orbit."""
     return reduced(), Identity("second", e3.second(e3.delta()), "linear integral of the ball")
 
 
@@ -269,7 +269,7 @@ CLAIMS = (
         r"\sum_{i=1}^3 d_i m_i^2)$, $d_i = \prod_{k \neq i} (J_i - J_k) \gamma_i^2 (\delta(J_i + "
         r"d) - (\gamma, \mathbf{J}(\mathbf{J} + d)\bar{\mathbf{A}}^2\gamma) + 2d(\gamma, "
         r"\mathbf{J}\bar{\mathbf{A}}\gamma)(\gamma, \bar{\mathbf{A}}\gamma))$.",
-        second_as_printed,
+        second_integral_as_printed,
         second,
         r"the formula is that of $F_1/\det\mathbf{J}$, $F_1 = (\mathbf{M}, \mathbf{M})$",
         "F₂ is the linear integral (8.3), which is zero here; read with the correct δ and A",

@@ -157,7 +157,7 @@ def tori() -> Verdict:
 
 
 def with_limit_cycle() -> Verdict:
-    """Limit cycles on a torus of a particular ball, with all premises."""
+    """Prove that a particular ball has limit cycles on a torus, together with all premises."""
     dynamics = centred.system_at_centre()
     cases: tuple[tuple[System, Law], ...] = (
         centred.balance(),

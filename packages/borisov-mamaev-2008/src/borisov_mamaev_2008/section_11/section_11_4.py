@@ -9,7 +9,11 @@ from flowlanes.system.system import Parameter
 from flowlanes.system.vectors import real_symbol, vectors
 from lawproof.proof.verdict import Verdict
 from nonholonomic.catalogue import from_catalogue
-from nonholonomic.contact.invariants.loss_of_contact import WITHOUT_FORCE, any_contact, paradox
+from nonholonomic.contact.invariants.loss_of_contact import (
+    WITHOUT_FORCE,
+    any_contact,
+    zero_normal_acceleration,
+)
 
 from ..claim import Case, Claim, Remark
 from ..methods.derived_verdicts import computed_verdict
@@ -31,7 +35,7 @@ def zero_force_presses() -> Verdict:
 
 def to_painleve() -> Case:
     """B = −b_n/N for the friction needed for rolling."""
-    return any_contact(), paradox()
+    return any_contact(), zero_normal_acceleration()
 
 
 def whirling() -> Case:

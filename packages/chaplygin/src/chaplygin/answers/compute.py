@@ -9,7 +9,7 @@ from ..experiment.models.experiment import catalogue_experiment
 from ..experiment.study import Study
 from .sheet import SHEETS
 from .stored import Answer
-from .verdicts import LawVerdict, claims_of, law_verdict
+from .verdicts import LawVerdict, claims_of, law_report_record
 
 
 def catalogue_answers(name: str) -> dict[str, Answer]:
@@ -22,7 +22,7 @@ def catalogue_answers(name: str) -> dict[str, Answer]:
 
 def _verdicts(study: Study, name: str) -> list[LawVerdict]:
     return [
-        law_verdict(
+        law_report_record(
             system,
             law,
             judgement_of(prove, system, law, EFFORT),

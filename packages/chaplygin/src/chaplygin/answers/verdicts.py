@@ -41,8 +41,10 @@ def claims_of(study: Study, what: str) -> list[tuple[System, Law]]:
     return claims
 
 
-def law_verdict(system: System, law: Law, verdict: Verdict, printed: Verdict | None) -> LawVerdict:
-    """A law with its verdict, and the verdict on its printed form if that differs."""
+def law_report_record(
+    system: System, law: Law, verdict: Verdict, printed: Verdict | None
+) -> LawVerdict:
+    """Record of a law with its verdict, and the verdict on its printed form if that differs."""
     record = {
         "source": law.source,
         "statement": _law_description(law),

@@ -68,13 +68,13 @@ def command(
         _end(verdicts)
         return
     study = study_of(what, overrides)
-    from ..answers.verdicts import claims_of, law_verdict
+    from ..answers.verdicts import claims_of, law_report_record
 
     claims = claims_of(study, what)
     chosen = _selected([law.name for _, law in claims], only or [], what)
     with results_on_interrupt("the verdicts reached so far are about to be printed"):
         done = _attempts([claims[index] for index in chosen], allowed, certificate is not None)
-        verdicts = [law_verdict(*attempt) for attempt in done]
+        verdicts = [law_report_record(*attempt) for attempt in done]
         if len(done) == len(claims):
             keep(question, Answer(study.remarks, verdicts))
         with beside(certificate):

@@ -22,7 +22,7 @@ from .taylor.compiled_system import CompiledSystem
 from .taylor.projection import Projector
 from .taylor.working_numbers import WorkingArray, WorkingNumber
 from .trajectory import DenseOutput, Event, Statistics, Trajectory
-from .validation import extremes_in_words
+from .validation import overflow_reason
 
 #: Residuals of the relations below which a state is not projected, per precision.
 LEFT_ALONE = {"double": 1e-15, "quad": 1e-32}
@@ -170,7 +170,7 @@ class TaylorRun:
             array = np.array([self.kind(x) for x in values], dtype=self.kind)
             return possible(array[: len(state)], array[len(state) :])
 
-        return extremes_in_words(names, numbers, finite)
+        return overflow_reason(names, numbers, finite)
 
     def _has_values(self, state: WorkingArray, parameters: WorkingArray) -> bool:
         """True if all recorded quantities are finite there."""

@@ -93,10 +93,10 @@ def require_on_phase_space(
     )
 
 
-def extremes_in_words(
+def overflow_reason(
     names: Sequence[str], numbers: Sequence[float], finite: Callable[[Sequence[float]], bool]
 ) -> str:
-    """Sentence with the numbers whose sizes make a value infinite or undefined.
+    """Name the numbers whose sizes make a value infinite or undefined, in one sentence.
 
     Parameters
     ----------
@@ -108,7 +108,8 @@ def extremes_in_words(
     Returns
     -------
     str
-        The smallest sufficient set of names; empty if the sizes of the numbers are not the reason.
+        Sentence with the smallest sufficient set of names; empty if the sizes of the numbers are
+        not the reason.
     """
     with np.errstate(all="ignore"):
         blamed = too_extreme(numbers, finite)

@@ -63,10 +63,10 @@ class Multipliers:
     @property
     def kind(self) -> str:
         """The kind of stability."""
-        return stability(self.values, self.errors)
+        return stability_type(self.values, self.errors)
 
 
-def stability(values: FloatArray, errors: FloatArray) -> str:
+def stability_type(values: FloatArray, errors: FloatArray) -> str:
     """The stability type of an orbit in one or two words.
 
     Parameters

@@ -31,7 +31,7 @@ from .level.alternatives import alternatives
 from .level.closedness import rows_of_equations_and_identities, up_to_time
 from .level.level_set import LevelSet
 from .level.named_formulas import components
-from .level.separability import of_separation
+from .level.separability import separation_gradients
 from .residuals import Row, target_state
 
 DIMENSION = "the dimension of the level"
@@ -203,7 +203,7 @@ def _(law: Reduction, level: LevelSet, field: Field) -> tuple[str, str] | None:
 @rank_defect.register
 def _(law: Separation, level: LevelSet, field: Field) -> tuple[str, str] | None:
     """The separated quantities must be independent on a level of the constants."""
-    bounds, quantities = of_separation(law, level, field)
+    bounds, quantities = separation_gradients(law, level, field)
     found = rank(field, [*bounds, *quantities]) - rank(field, bounds)
     return _lacking("the number of independent quantities", found, len(quantities), field)
 

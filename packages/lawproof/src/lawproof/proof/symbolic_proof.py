@@ -74,7 +74,7 @@ class _Run:
 def proof(
     law: Law, level: LevelSet, sample: Mapping[str, float] | None, budget: Budget, is_attained: bool
 ) -> Proof:
-    """The residuals of a law on a component of its level, over fractions.
+    """Try to prove a law on a component of its level, by reducing its residuals symbolically.
 
     Parameters
     ----------

@@ -117,7 +117,7 @@ def _exponents(variables: int, degree: int) -> list[Exponents]:
 def rates_of_products(
     left: tuple[Integers, Integers], right: tuple[Integers, Integers]
 ) -> tuple[Integers, Integers]:
-    """Values and rates of all products of two families, each with its own leading axes."""
+    """Values and rates, modulo the prime, of the products of two families of arrays (broadcast)."""
     (value, rate), (other, change) = left, right
     return (value * other % prime(), (value * change % prime() + rate * other) % prime())
 

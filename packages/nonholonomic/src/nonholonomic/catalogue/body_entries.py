@@ -47,7 +47,7 @@ def no_laws(*described: object) -> tuple[Law, ...]:
 
 
 def body_entry(file: EntryFile) -> Entry:
-    """The entry of a file with a body.
+    """Catalogue entry for a body that is described in a file.
 
     Laws are stated in Python, as they hold for every body of a kind.
     """

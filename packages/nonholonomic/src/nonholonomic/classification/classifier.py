@@ -30,7 +30,7 @@ from .configuration_measures import MeasureFacts, configuration_measure
 from .conserved_covectors import sources
 from .facts import Fact, ProofBudget, fact_of
 from .hamiltonian_forms import Forms, hamiltonian, measures
-from .ignorable import ignorable_shifts
+from .ignorable import symmetries_of_ignorable_variables
 from .lie_theorem import independent_symmetries, lie_symmetries
 from .ranks import RankSample, rational_parameters, with_numeric_parameters
 from .statements import IntegrabilityClass
@@ -187,7 +187,7 @@ def _classification_of(
     missing = structure.remaining - 2
     if missing > 0 and structure.measures and structure.volume and not structure.lie:
         name = structure.volume.law.law
-        shifts = ignorable_shifts(sample, chosen, symmetries, laws, name)
+        shifts = symmetries_of_ignorable_variables(sample, chosen, symmetries, laws, name)
         if len(shifts) == missing:
             structure = replace(structure, shifts=shifts)
     if not structure.lasting and not sample.level:

@@ -15,14 +15,14 @@ from .facts import Fact, fact_of
 from .ranks import RankSample
 
 
-def ignorable_shifts(
+def symmetries_of_ignorable_variables(
     sample: RankSample,
     sources: Sequence[AnnihilatingCovectors],
     symmetries: Sequence[Symmetry],
     laws: Sequence[Law],
     volume: str,
 ) -> tuple[Fact, ...]:
-    """The shifts of single variables on which equations, integrals and measure do not depend.
+    """Symmetries that shift one variable on which equations, integrals and measure do not depend.
 
     Without these variables the remaining system is closed, has the same integrals, and its measure
     has the same density: dx is a factor of the volume.

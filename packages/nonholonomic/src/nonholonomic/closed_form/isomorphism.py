@@ -164,7 +164,7 @@ def pull_back(
     separable: SeparatedSystem,
     fixed: tuple[sp.MatrixExpr, ...] = (),
 ) -> SeparatedSystem:
-    """The separation of a system, from that of the target of its isomorphism.
+    """Separation of variables of a system, carried over from the target of its isomorphism.
 
     Parameters
     ----------

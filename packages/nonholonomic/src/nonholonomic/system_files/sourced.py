@@ -91,7 +91,7 @@ class SourcedTables(Table):
 
 
 def validated(model: type[FileTables], tables: Tables, source: Source) -> FileTables:
-    """The tables of a source as a model.
+    """Validate the tables of a file against a model.
 
     Raises
     ------

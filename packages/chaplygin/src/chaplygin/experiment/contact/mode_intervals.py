@@ -25,7 +25,7 @@ def mode_names(dataset: xr.Dataset) -> list[str]:
 
 
 def sample_modes(dataset: xr.Dataset) -> list[str]:
-    """The mode at each sample."""
+    """Contact mode at each sample of a dataset."""
     names = mode_names(dataset)
     return [names[flag] for flag in dataset["mode"].values]
 

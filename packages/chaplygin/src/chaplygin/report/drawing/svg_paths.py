@@ -169,7 +169,7 @@ _LETTER = re.compile(r'<path id="([^"]*)" d="([^"]*)"( transform="[^"]*")?/>\n?'
 
 
 def with_shared_letters(texts: Mapping[str, str]) -> tuple[dict[str, str], str]:
-    """SVGs of one page that share their letter shapes, and the element with these shapes.
+    """Move the letter shapes of several SVGs into one element that all of them share.
 
     Parameters
     ----------

@@ -79,7 +79,7 @@ def all_figures(
     Parameters
     ----------
     dataset : xarray.Dataset
-    bodies : tuple of Outline and ground, optional
+    bodies : tuple of BodyMesh and ground, optional
         Shape of the body and what it rolls on, a PlaneGround, a SphereGround or a SurfaceGround;
         without them there is neither scene nor path of the contact point, and on the last no path
         besides that of the scene.
@@ -211,7 +211,7 @@ def ball_figures(
     Parameters
     ----------
     dataset : xarray.Dataset
-    outline : Outline
+    outline : BodyMesh
         The ball.
     ground : SurfaceGround
         What carries it.
@@ -223,8 +223,8 @@ def ball_figures(
     Returns
     -------
     dict
-        Figures by the names of the functions that make them, but the picture as `scene`, then
-        `state`, `normal_force`, `drift`.
+        Figures by name: the picture is `scene`; the others are named after the functions that make
+        them, such as `attitude`, `normal_force` and `drift`.
 
     Raises
     ------

@@ -257,7 +257,7 @@ def label_positions(
     limits: tuple[float, float],
     near: float,
 ) -> list[PlacedName]:
-    """Names in one line, each below its events; groups whose names would touch are merged.
+    """Place the names of event groups on one line, and merge groups whose names would touch.
 
     Parameters
     ----------

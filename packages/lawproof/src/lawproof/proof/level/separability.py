@@ -53,10 +53,10 @@ def separation_residuals(law: Separation, level: LevelSet) -> Iterator[tuple[str
             yield f"{label} is a product", sp.diff(slopes[first], second)
 
 
-def of_separation(
+def separation_gradients(
     law: Separation, level: LevelSet, field: Field
 ) -> tuple[list[list[FieldElement]], list[list[FieldElement]]]:
-    """Gradients of the conditions and constants, and of the separated quantities."""
+    """Gradients of conditions and constants of a separation, and of its separated quantities."""
     parts = _parts(law, level)
     partial = level.partial(field).with_steps(quantities_in_order(law, level))
     size = len(level.system.symbols)

@@ -25,7 +25,7 @@ M, k = vectors("M k")
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The measure in every potential U(γ); |M + k|² where Bruns' field is switched off."""
     body, field = rolling.body, rolling.field
-    balanced = ball_on_sphere.ratio(replace(rolling, field=Forces())) is not None
+    balanced = ball_on_sphere.radius_ratio(replace(rolling, field=Forces())) is not None
     if field.potential == 0 or field.gravity or not balanced:
         return ()
     if not (body.principal and any(body.gyrostat)):

@@ -36,8 +36,8 @@ def build(p: Numbers) -> RollingBody:
     return RollingBody(body, Sphere.of_signed_radius(p["a"]))
 
 
-def ratio(rolling: RollingBody) -> float | None:
-    """k of a free balanced ball on a sphere; None for anything else."""
+def radius_ratio(rolling: RollingBody) -> float | None:
+    """Ratio k = a/(a + R) of a free balanced ball on a sphere; None for anything else."""
     body, surface, field = rolling.body, rolling.surface, rolling.field
     ball, a = body.shape.signed_radius, surface.signed_radius
     if ball is None or a is None:
@@ -50,7 +50,7 @@ def ratio(rolling: RollingBody) -> float | None:
 @laws_for("marble", Sphere, Ball)
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """M² and an invariant measure for every k, and a linear integral for k = −1."""
-    value = ratio(rolling)
+    value = radius_ratio(rolling)
     if value is None:
         return ()
     rotors = any(rolling.body.gyrostat)

@@ -36,7 +36,12 @@ def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     # of the ball without the field: k = a/(a ± R), and the linear integral where k = −1
     free = replace(rolling, field=Forces())
     factor = bruns_factor(field.potential) if body.principal else None
-    if factor is None or field.gravity or any(body.gyrostat) or ball_on_sphere.ratio(free) is None:
+    if (
+        factor is None
+        or field.gravity
+        or any(body.gyrostat)
+        or ball_on_sphere.radius_ratio(free) is None
+    ):
         return ()
     J_1, J_2, J_3 = J.symbols
     momentum = Integral(

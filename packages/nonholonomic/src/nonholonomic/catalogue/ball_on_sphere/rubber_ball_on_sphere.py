@@ -59,7 +59,7 @@ def as_family() -> Isomorphism:
 def laws(rolling: RollingBody, system: System) -> tuple[Law, ...]:
     """The measure (9.3); for a free ball the family (9.2), and (9.4) for k = −1."""
     known: tuple[Law, ...] = measure(rolling, system)
-    value = ball_on_sphere.ratio(rolling)
+    value = ball_on_sphere.radius_ratio(rolling)
     body = rolling.body
     if value is None or any(body.gyrostat) or not body.principal:
         return known

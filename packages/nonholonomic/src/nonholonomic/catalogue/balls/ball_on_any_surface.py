@@ -153,7 +153,7 @@ def _first_principles(target: System) -> Isomorphism:
 
 
 def tangential(system: System) -> System:
-    """(ω, ∇f) = 0 solved for ω₃, so that nothing restricts the state."""
+    """Solve the constraint (ω, ∇f) = 0 for ω₃, which leaves a system without relations."""
     place, field = system.state[0], dict(system.field)
     turn_1, turn_2, turn_3 = omega.symbols
     slope_1, slope_2, slope_3 = df.symbols

@@ -187,7 +187,13 @@ def check_largest(numbers: Numbers, above: bool) -> None:
 def quadratic_integrals(
     p: Vector, gamma: Vector, factors: Sequence[sp.Symbol], last: Vector, below: sp.Expr
 ) -> tuple[Integral, ...]:
-    """F_i = (Σ (p_i γ_j − p_j γ_i)²/(a_i − a_j) − c_i²/a_i)/below over j ≠ i, c being `last`."""
+    """Quadratic integrals F_i, one for each axis, for a body of special inertia.
+
+    Notes
+    -----
+    F_i = (Σ (p_i γ_j − p_j γ_i)²/(a_i − a_j) − c_i²/a_i)/b with the sum over j ≠ i, where a_i are
+    the `factors`, c is `last`, and b is `below`.
+    """
     x, y, c = p.symbols, gamma.symbols, last.symbols
     n = len(factors)
     found = []

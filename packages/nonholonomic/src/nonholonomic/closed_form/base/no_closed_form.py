@@ -13,7 +13,7 @@ from flowlanes.printing.formula import text
 from flowlanes.system.laws import ConformallyHamiltonian, Integral, Law, Measure, of_kind
 
 from ...catalogue.ball_on_sphere import rubber_ball_ratio
-from ...catalogue.ball_on_sphere.ball_on_sphere import ratio
+from ...catalogue.ball_on_sphere.ball_on_sphere import radius_ratio
 from ...mechanics.rolling.equations import RollingBody
 from .problem import Problem
 
@@ -79,7 +79,7 @@ def refusal(problem: Problem, level: Sequence[Condition] = ()) -> NoClosedFormEr
 
 
 def not_among(problem: Problem, solvable: str) -> NoClosedFormError:
-    """The error for a motion of a partly solvable system; the text names the solvable motions."""
+    """Error for a motion without a closed form here; its text names the motions that have one."""
     return NoClosedFormError(
         f"this motion of {_title_in_sentence(problem.system.title)} is not solved in closed form "
         f"here: {_known_laws(problem)}; solvable are its motions {solvable}"
@@ -226,7 +226,7 @@ def _gravity_on_sphere(problem: Problem, rolling: RollingBody) -> _Obstacle | No
 
 
 def _ratio(problem: Problem, rolling: RollingBody) -> _Obstacle | None:
-    k = ratio(rolling)
+    k = radius_ratio(rolling)
     if k is None or k == -1:
         return None
     further = " with zero linear integral" if rolling.contact == "marble" else ""

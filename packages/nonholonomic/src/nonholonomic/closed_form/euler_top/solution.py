@@ -89,7 +89,7 @@ def solve_free_body(
         if isinstance(chart, Equilibrium):
             raise InputError("start: the rotation is too near to one about a principal axis")
         motion = QuadratureMotion(chart, u, rate, top.rates, units=(1.0, 1.0))
-        frame = PrecessionFrame(top, attitude, motion, fixed, in_space)
+        frame = FreeBodyFrame(top, attitude, motion, fixed, in_space)
         return QuadratureSolution(lifted, parameters, motion, frame, lambda: form_of(top, motion))
 
 
@@ -161,8 +161,8 @@ class UniformRotation(UniformSolution):
         return _with_fixed_direction(F, state, self.fixed, self.in_space)
 
 
-class PrecessionFrame(BodyFrame):
-    """M and the attitude of a free body from the angle between an axis and M.
+class FreeBodyFrame(BodyFrame):
+    """M, γ and the attitude of a free body from the angle between an axis and M.
 
     Parameters
     ----------

@@ -26,7 +26,7 @@ def pair(ball: arb) -> Pair:
 
 
 def exact_product(a: FloatArray, b: float) -> tuple[FloatArray, FloatArray]:
-    """a·b as the sum of two doubles, exactly (Dekker)."""
+    """Exact product a·b as a sum of two doubles (Dekker's algorithm)."""
     p = a * b
     a_high = _SPLIT * a - (_SPLIT * a - a)
     b_high = _SPLIT * b - (_SPLIT * b - b)

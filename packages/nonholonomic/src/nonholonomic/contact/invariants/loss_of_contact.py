@@ -96,11 +96,11 @@ def any_contact() -> System:
     )
 
 
-def paradox() -> Identity:
-    """B N + b_n = 0 for the slip whose friction pulls in the direction that rolling needs.
+def zero_normal_acceleration() -> Identity:
+    """Identity B N + b_n = 0: the friction needed for rolling leaves no normal acceleration.
 
-    For this direction and the friction coefficient |f|/|N|, the normal acceleration per unit of
-    normal force is B = A_nn + (A_nt, f)/N.
+    With friction in this direction, at the coefficient |f|/|N|, the normal acceleration per unit
+    of normal force is B = A_nn + (A_nt, f)/N.
     """
     f_1, f_2, N = reaction.symbols
     entries = A.entries

@@ -156,7 +156,7 @@ def momenta() -> tuple[Integral, ...]:
 
 
 def slip_direction() -> tuple[Integral, ...]:
-    """The direction of the slip, by components."""
+    """Integrals that state that the slip has a constant direction, one for each component."""
     return tuple(
         Integral(
             f"direction_{axis}",

@@ -39,7 +39,7 @@ def body_parameters(mass: float, across: float, about: float) -> tuple[Parameter
 
 
 def sphere_parameters(radius: float, offset: float, gravity: float) -> tuple[Parameter, ...]:
-    """Radius of the sphere, its centre, and gravity."""
+    """Parameters of a top with a spherical surface: radius, offset of the centre, and gravity."""
     return (
         Parameter(R, "radius of the sphere", radius, "m", (R > 0,)),
         Parameter(c, "centre of the sphere less centre of mass, along the axis", offset, "m"),

@@ -13,7 +13,7 @@ from flowlanes.arguments import arguments_checked
 from flowlanes.errors import InputError
 from flowlanes.flow.machine_code.native_formulas import NativeFormulas, native_formulas
 from flowlanes.flow.taylor.compiled_system import compile_system
-from flowlanes.flow.validation import extremes_in_words
+from flowlanes.flow.validation import overflow_reason
 from flowlanes.formulas.graph import Graph, Reader, Term
 from flowlanes.system.arrays import FloatArray
 from flowlanes.system.formula_text import exact_text
@@ -234,7 +234,7 @@ class CompiledContact:
 
         numbers = [*start[:WORK].tolist(), *self._values.tolist()]
         with np.errstate(all="ignore"):
-            return "" if finite(numbers) else extremes_in_words(names, numbers, finite) or NO_RATES
+            return "" if finite(numbers) else overflow_reason(names, numbers, finite) or NO_RATES
 
     def numbers(self, state: FloatArray) -> ContactNumbers:
         """The contact quantities at a state; the most recent result is cached."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from flowlanes.flow.cost import TooMuchError
-from flowlanes.flow.validation import extremes_in_words
+from flowlanes.flow.validation import overflow_reason
 from flowlanes.system.arrays import FloatArray
 
 from ..friction.contensou import held_range_of, range_of
@@ -195,7 +195,7 @@ class CourseState:
         def finite(numbers: Sequence[float]) -> bool:
             return integrator.has_step(np.array(numbers[:size]), np.array(numbers[size:]))
 
-        return extremes_in_words(names, [*state, *integrator.values], finite)
+        return overflow_reason(names, [*state, *integrator.values], finite)
 
     def _moments_until(self, end: float) -> list[float]:
         """The remaining sample times up to `end`."""

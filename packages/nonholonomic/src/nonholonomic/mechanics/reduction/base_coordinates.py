@@ -206,7 +206,10 @@ def _angles(rows: sp.Matrix) -> dict[sp.Symbol, fmpq]:
 
 
 def on_base(motion: ReducedMomenta, place: Mapping[sp.Symbol, sp.Expr]) -> ReducedMomenta:
-    """The equations of motion with coordinates substituted; relations then hold identically."""
+    """Substitute coordinates into the equations of motion.
+
+    The relations then hold identically, and are dropped.
+    """
 
     def with_values(matrix: sp.Matrix) -> sp.Matrix:
         return matrix.xreplace(dict(place))

@@ -133,7 +133,7 @@ def _sum_as_formula(first: Quotient, second: Quotient) -> sp.Expr:
 
 
 def poles(multiplier: Multiplier) -> tuple[sp.Expr, ...]:
-    """Denominators of the exponents of N; where one vanishes N is not of this form."""
+    """Factors of denominators of the exponents of N; the formula for N fails where one vanishes."""
     below = {
         factor
         for _, exponent in multiplier.powers
