@@ -76,6 +76,16 @@ def test_inputs_are_counted() -> None:
         stepper(OSCILLATOR, inputs=["k", "f"])([0.0, 0.0], 0.1, [1.0])
 
 
+def test_inputs_may_be_an_array() -> None:
+    step = stepper(OSCILLATOR, inputs=["k", "f"])
+    assert (step([0.1, 0.0], 0.1, np.array([2.0, 1.0])) == step([0.1, 0.0], 0.1, [2.0, 1.0])).all()
+
+
+def test_a_duration_is_finite() -> None:
+    with pytest.raises(InputError, match="duration = inf"):
+        stepper(OSCILLATOR)([0.1, 0.0], float("inf"))
+
+
 def test_states_of_another_size_are_refused() -> None:
     with pytest.raises(InputError):
         stepper(OSCILLATOR)([0.0], 0.1)

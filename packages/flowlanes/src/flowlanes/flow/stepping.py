@@ -8,6 +8,7 @@ runs it, and copies the new state out.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -82,7 +83,7 @@ class Stepper:
         return f"<Stepper of {self.system.name}: tolerance {self.tolerance:g}{changing}>"
 
     def __call__(
-        self, state: npt.ArrayLike, duration: float, inputs: Sequence[float] = ()
+        self, state: npt.ArrayLike, duration: float, inputs: Sequence[float] | FloatArray = ()
     ) -> FloatArray:
         """The state after a duration.
 
@@ -104,7 +105,8 @@ class Stepper:
         Raises
         ------
         InputError
-            If the state is not one of the system, or the inputs are not as many numbers.
+            If the state is not one of the system, the inputs are not as many numbers, or the
+            duration is not finite.
         RunError
             If the motion does not reach the end: a guard, a singularity.
         """
@@ -113,18 +115,20 @@ class Stepper:
                 f"inputs: {len(inputs)} are given, and the stepper has {len(self.inputs)}"
                 + (f" ({', '.join(self.inputs)})" if self.inputs else "")
             )
-        if inputs:
+        if self.inputs:
             self._constants[0, self._places, 0] = inputs
+        if not math.isfinite(duration):
+            raise InputError(f"duration = {duration}: it must be a finite number")
         if state is not self._last:
             self._check(state)
         call = self._forward if duration >= 0 else self._backward
         self._start[0, :, 0] = state
         self._duration[0] = abs(duration)
         outcome, reached = call()
-        if outcome or not np.isfinite(duration):
+        if outcome:
             self._last = None
             raise RunError(
-                f"{self.system.name}: {outcome_message(self.system, outcome) or 'no finite time'}",
+                f"{self.system.name}: {outcome_message(self.system, outcome)}",
                 time=float(reached if duration >= 0 else -reached),
             )
         end: FloatArray = call.states[0, 0, :, 0].copy()

@@ -39,8 +39,8 @@ def test_the_distribution_is_that_of_the_exact_sampler(name: str, level: dict[st
     assert min(ks_2samp(few[:, k], exact[:, k]).pvalue for k in range(few.shape[1])) > 1e-3
 
 
-def test_unweighted_candidates_are_told_from_the_distribution() -> None:
-    """The test above would notice a choice that ignores the density."""
+def test_dense_candidates_alone_are_told_from_the_distribution() -> None:
+    """The test above would notice a choice that prefers dense candidates too much."""
     name, level = LEVELS[1]
     system = from_catalogue(name)
     drawn = resampled_level(system, level)
